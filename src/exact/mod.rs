@@ -1,0 +1,11 @@
+//! Exact numbers: rationals with an inline small form, decimals read digit by
+//! digit, greatest common divisors, and the integer widths the kernel runs on.
+
+pub(crate) mod decimal;
+pub(crate) mod gcd;
+pub(crate) mod magnitude;
+mod rational;
+pub(crate) mod width;
+
+pub use decimal::{MAX_DIGITS, ParseNumberError};
+pub use rational::Rational;

@@ -1,0 +1,3 @@
+//! casteljau
+mod exact;
+pub use exact::{MAX_DIGITS, ParseNumberError, Rational};
