@@ -28,7 +28,6 @@ impl Numbers {
     }
 }
 
-
 /// Knuth's linear congruential generator.
 struct Random(u64);
 

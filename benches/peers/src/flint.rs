@@ -51,28 +51,26 @@ macro_rules! functions {
 
 functions! {
     fn fmpz_set(to: *mut Fmpz, from: *const Fmpz);
-    fn fmpz_add(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn fmpz_mul(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn fmpz_mul_ui(to: *mut Fmpz, a: *const Fmpz, b: c_ulong);
     fn fmpz_addmul(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn fmpz_submul(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
-    fn fmpz_pow_ui(to: *mut Fmpz, a: *const Fmpz, exponent: c_ulong);
     fn fmpz_divexact(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn fmpz_divexact_ui(to: *mut Fmpz, a: *const Fmpz, b: c_ulong);
+    fn fmpz_fdiv_ui(a: *const Fmpz, b: c_ulong) -> c_ulong;
     fn fmpz_lcm(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn fmpz_fmma(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz, c: *const Fmpz, d: *const Fmpz);
     fn fmpz_sub(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn _fmpz_clear_mpz(x: Fmpz);
     fn _fmpz_vec_init(length: c_long) -> *mut Fmpz;
     fn _fmpz_vec_clear(vector: *mut Fmpz, length: c_long);
-    fn _fmpz_vec_dot(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz, length: c_long);
     fn _fmpz_poly_mul(to: *mut Fmpz, a: *const Fmpz, a_length: c_long, b: *const Fmpz, b_length: c_long);
-    fn _fmpz_poly_product_roots_fmpq_vec(to: *mut Fmpz, roots: *const Fmpq, count: c_long);
     fn _fmpz_poly_taylor_shift(polynomial: *mut Fmpz, by: *const Fmpz, length: c_long);
     fn fmpq_set(to: *mut Fmpq, from: *const Fmpq);
     fn fmpq_set_si(to: *mut Fmpq, num: c_long, den: c_ulong);
     fn fmpq_set_fmpz_frac(to: *mut Fmpq, num: *const Fmpz, den: *const Fmpz);
     fn fmpq_get_str(buffer: *mut c_char, base: c_int, x: *const Fmpq) -> *mut c_char;
+    fn n_gcd(a: c_ulong, b: c_ulong) -> c_ulong;
     fn flint_free(memory: *mut c_void);
 }
 

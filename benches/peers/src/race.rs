@@ -13,17 +13,16 @@ pub struct Outcome {
 
 pub fn race(mut contestants: [&mut dyn FnMut(); 2]) -> Outcome {
     let repetitions: [u32; 2] = array::from_fn(|who| enough(&mut contestants[who]));
-    let mut seconds = [[0.0; ROUNDS]; 2];
-    for round in 0..ROUNDS {
-        for turn in 0..2 {
-            let who = (round + turn) % 2;
-            seconds[who][round] = time(&mut contestants[who], repetitions[who]);
+    let rounds: [[f64; 2]; ROUNDS] = array::from_fn(|round| {
+        let mut seconds = [0.0; 2];
+        for who in if round % 2 == 0 { [0, 1] } else { [1, 0] } {
+            seconds[who] = time(&mut contestants[who], repetitions[who]);
         }
-    }
-    let ratios = array::from_fn::<f64, ROUNDS, _>(|round| seconds[0][round] / seconds[1][round]);
+        seconds
+    });
     Outcome {
-        medians: seconds.map(|of_one| quartiles(of_one)[1]),
-        ratio: quartiles(ratios),
+        medians: array::from_fn(|who| quartiles(rounds.map(|seconds| seconds[who]))[1]),
+        ratio: quartiles(rounds.map(|[ours, theirs]| ours / theirs)),
     }
 }
 

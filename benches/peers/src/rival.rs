@@ -20,20 +20,33 @@ unsafe fn clear_denominators(f: &'static Flint, numerators: &Integers, denominat
 /// Multiplies the integers by 1, w, w², …, in the order in which `indices` names them. Leaves the last power in `power`.
 unsafe fn scale(f: &'static Flint, integers: &Integers, indices: impl Iterator<Item = usize>, w: *const Fmpz, power: &mut Integer) {
     unsafe {
-        for (done, i) in indices.enumerate() {
-            if done > 0 {
-                f.fmpz_mul(power.at(), power.at(), w);
-                f.fmpz_mul(integers.at(i), integers.at(i), power.at());
-            }
+        for i in indices.skip(1) {
+            f.fmpz_mul(power.at(), power.at(), w);
+            f.fmpz_mul(integers.at(i), integers.at(i), power.at());
         }
     }
 }
+
+/// Divides the integers, exactly, by 1, w, w², …, in the order in which `indices` names them.
+unsafe fn divide(f: &'static Flint, integers: &Integers, indices: impl Iterator<Item = usize>, w: *const Fmpz) {
+    let mut power = Integer::new(f, 1);
+    unsafe {
+        for i in indices.skip(1) {
+            f.fmpz_mul(power.at(), power.at(), w);
+            f.fmpz_divexact(integers.at(i), integers.at(i), power.at());
+        }
+    }
+}
+
+/// From this degree on, dividing out known factors before reducing is faster.
+const STRIP: usize = 16;
 
 /// The control points over [r, s] of the polynomial with these coefficients (ascending).
 ///
 /// With r = R/p, s = S/q and the common denominator D of the coefficients, the first shift gives Dpⁿ f((R + z)/p);
 /// z = (Sp − Rq)x/q runs over [r, s] as x runs over [0, 1]; reversing and shifting by 1 turns Σ cₖxᵏ into
-/// Σ C(n,j) bⱼ xʲ(1 − x)ⁿ⁻ʲ, the point bⱼ at place n − j.
+/// Σ C(n,j) bⱼ xʲ(1 − x)ⁿ⁻ʲ, the point bⱼ at place n − j. The denominator so far is C(n,j)Dpⁿqⁿ, but that of bⱼ divides
+/// C(n,j)Dpⁿ⁻ʲqʲ: pʲqⁿ⁻ʲ can be divided out exactly.
 pub fn points(f: &'static Flint, coefficients: &Fractions, r: &Fmpq, s: &Fmpq, points: &mut Fractions) {
     let length = coefficients.len();
     let n = length - 1;
@@ -60,18 +73,28 @@ pub fn points(f: &'static Flint, coefficients: &Fractions, r: &Fmpq, s: &Fmpq, p
         f._fmpz_poly_taylor_shift(a.at(0), &one, length as i64);
 
         f.fmpz_mul(denominator.at(), denominator.at(), p_power.at());
-        f.fmpz_mul(denominator.at(), denominator.at(), q_power.at());
+        let strip = n >= STRIP;
+        if strip {
+            divide(f, &a, 0..length, &s.den);
+            divide(f, &a, (0..length).rev(), &r.den);
+        } else {
+            f.fmpz_mul(denominator.at(), denominator.at(), q_power.at());
+        }
         for j in 0..=n {
             f.fmpq_set_fmpz_frac(points.at_mut(j), a.at(n - j), denominator.at());
-            // D pⁿ qⁿ C(n, j), the binomial kept inside the product.
+            // C(n, j) becomes C(n, j + 1) inside the product.
             f.fmpz_mul_ui(denominator.at(), denominator.at(), (n - j) as u64);
             f.fmpz_divexact_ui(denominator.at(), denominator.at(), (j + 1) as u64);
+            if strip {
+                f.fmpz_mul(denominator.at(), denominator.at(), &s.den);
+                f.fmpz_divexact(denominator.at(), denominator.at(), &r.den);
+            }
         }
     }
 }
 
 /// Below this many factors multiplying them in one by one is faster.
-const TREE: usize = 16;
+const TREE: usize = 8;
 
 /// The product of the factors q + pX, one for each fraction p/q.
 unsafe fn product(f: &'static Flint, to: *mut Fmpz, arguments: &Fractions, first: usize, count: usize) {
@@ -112,8 +135,9 @@ pub fn polar_value(f: &'static Flint, coefficients: &Fractions, arguments: &Frac
         product(f, e.at(0), arguments, 0, n);
         f.fmpz_mul(denominator.at(), denominator.at(), e.at(0));
         // lcm of the C(n,k) = lcm(1, …, n + 1)/(n + 1); the weights lcm/C(n,k) are the same from both ends.
-        for mut i in 2..=n as i64 + 1 {
-            f.fmpz_lcm(weight.at(), weight.at(), &raw mut i);
+        for i in 2..=n as u64 + 1 {
+            let common = f.n_gcd(f.fmpz_fdiv_ui(weight.at(), i), i);
+            f.fmpz_mul_ui(weight.at(), weight.at(), i / common);
         }
         f.fmpz_divexact_ui(weight.at(), weight.at(), n as u64 + 1);
         f.fmpz_mul(denominator.at(), denominator.at(), weight.at());
@@ -146,16 +170,24 @@ pub fn split(f: &'static Flint, dimension: usize, polygon: &Fractions, t: &Fmpq,
     unsafe {
         clear_denominators(f, &row, &mut denominator, polygon);
         f.fmpz_sub(u.at(), &t.den, &t.num);
-        for k in 0..=n {
+        for c in 0..dimension {
+            f.fmpq_set(left.at_mut(c), polygon.at(c));
+            f.fmpq_set(right.at_mut(n * dimension + c), polygon.at(n * dimension + c));
+        }
+        for k in 1..=n {
             let last = (n - k) * dimension;
-            for c in 0..dimension {
-                f.fmpq_set_fmpz_frac(left.at_mut(k * dimension + c), row.at(c), denominator.at());
-                f.fmpq_set_fmpz_frac(right.at_mut(last + c), row.at(last + c), denominator.at());
-            }
-            for i in 0..last {
+            for i in 0..last + dimension {
                 f.fmpz_fmma(row.at(i), row.at(i), u.at(), row.at(i + dimension), &t.num);
             }
             f.fmpz_mul(denominator.at(), denominator.at(), &t.den);
+            for c in 0..dimension {
+                f.fmpq_set_fmpz_frac(left.at_mut(k * dimension + c), row.at(c), denominator.at());
+                if k < n {
+                    f.fmpq_set_fmpz_frac(right.at_mut(last + c), row.at(last + c), denominator.at());
+                } else {
+                    f.fmpq_set(right.at_mut(c), left.at(k * dimension + c));
+                }
+            }
         }
     }
 }

@@ -1,0 +1,107 @@
+//! Frames of the parameter line.
+
+use std::fmt;
+
+use super::Parameter;
+use crate::error::Error;
+use crate::exact::Rational;
+use crate::kernel::coefficient::Coefficient;
+
+/// A frame `(r, s)` of the parameter line, `r ≠ s`; `r > s` is allowed.
+///
+/// ```
+/// use casteljau::{Interval, Rational};
+/// let frame = Interval::new(Rational::from(-1), Rational::from(3))?;
+/// assert_eq!(frame.to_string(), "-1..3");
+/// assert!(frame.contains(&Rational::new(1, 2)));
+/// assert!(Interval::new(Rational::from(2), Rational::from(2)).is_err());
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Interval<C = Rational> {
+    r: C,
+    s: C,
+}
+
+/// An argument as a combination of the vertices of a frame, cleared of
+/// denominators: `scale · x = weights[0] · r + weights[1] · s`.
+pub(crate) struct Weights<C> {
+    pub(crate) weights: [C; 2],
+    pub(crate) scale: C,
+}
+
+impl<C: Coefficient> Interval<C> {
+    /// The frame with these ends.
+    ///
+    /// # Errors
+    /// [`Error::DegenerateFrame`] if they are equal.
+    pub fn new(r: C, s: C) -> Result<Self, Error> {
+        if r == s {
+            return Err(Error::DegenerateFrame(format!("the frame {r}..{s} is degenerate: r and s must be different")));
+        }
+        Ok(Self { r, s })
+    }
+
+    /// The frame `0..1`.
+    #[must_use]
+    pub fn unit() -> Self {
+        Self { r: C::nothing(), s: C::unit() }
+    }
+
+    /// The first vertex.
+    #[must_use]
+    pub fn r(&self) -> &C {
+        &self.r
+    }
+
+    /// The second vertex.
+    #[must_use]
+    pub fn s(&self) -> &C {
+        &self.s
+    }
+
+    /// The same frame with its vertices exchanged.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { r: self.s.clone(), s: self.r.clone() }
+    }
+
+    /// The combination of the vertices with weights `1 - part` and `part`.
+    #[must_use]
+    pub fn at(&self, part: &C) -> C {
+        self.r.plus(&self.s.minus(&self.r).times(part))
+    }
+
+    /// An argument as a combination of the vertices.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub(crate) fn weights(&self, argument: &Parameter<C>) -> Result<Weights<C>, Error> {
+        let Parameter { t, w } = argument;
+        let length = self.s.minus(&self.r);
+        let symbolic =
+            || Error::Unsupported(format!("dividing by {length} needs a number: give the frame {}..{} numeric ends", self.r, self.s));
+        let first = w.times(&self.s).minus(t).over(&length).ok_or_else(symbolic)?;
+        let ((a, a_scale), (b, b_scale)) = (first.fraction(), w.minus(&first).fraction());
+        Ok(if a_scale == b_scale {
+            Weights { weights: [a, b], scale: a_scale }
+        } else {
+            Weights { weights: [a.times(&b_scale), b.times(&a_scale)], scale: a_scale.times(&b_scale) }
+        })
+    }
+}
+
+impl Interval {
+    /// Whether `t` lies between the vertices or on one of them.
+    #[must_use]
+    pub fn contains(&self, t: &Rational) -> bool {
+        let (low, high) = if self.r < self.s { (&self.r, &self.s) } else { (&self.s, &self.r) };
+        low <= t && t <= high
+    }
+}
+
+impl<C: fmt::Display> fmt::Display for Interval<C> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}..{}", self.r, self.s)
+    }
+}

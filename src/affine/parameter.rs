@@ -1,0 +1,40 @@
+//! Homogeneous arguments of a curve's polar form.
+
+use crate::exact::Rational;
+use crate::kernel::coefficient::Coefficient;
+
+/// An argument of a polar form: the point `t` where the weight is 1, the
+/// direction `t` where the weight is 0, in general the homogeneous `[w; t]`.
+///
+/// The polar form is multilinear in such arguments: a weight of 0 makes an
+/// argument a vector, and `f(t, …, t, [0; 1])` is the derivative at `t` over
+/// the degree (Ramshaw, *Blossoming*, 1987, on homogenizing; Gallier, *Curves
+/// and Surfaces in Geometric Modeling*, chapter 18).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter<C = Rational> {
+    /// The coordinate.
+    pub t: C,
+    /// The weight.
+    pub w: C,
+}
+
+impl<C: Coefficient> Parameter<C> {
+    /// The homogeneous argument `[w; t]`.
+    #[must_use]
+    pub fn homogeneous(w: C, t: C) -> Self {
+        Self { t, w }
+    }
+
+    /// The direction of differentiation, `[0; 1]`.
+    #[must_use]
+    pub fn direction() -> Self {
+        Self { t: C::unit(), w: C::nothing() }
+    }
+}
+
+/// The point with coordinate `t`.
+impl<C: Coefficient> From<C> for Parameter<C> {
+    fn from(t: C) -> Self {
+        Self { t, w: C::unit() }
+    }
+}

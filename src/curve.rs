@@ -1,0 +1,275 @@
+//! Polynomial curves by their equations.
+
+use crate::affine::{AffineMap, Interval, Parameter};
+use crate::blossom::PolarForm;
+use crate::error::Error;
+use crate::exact::Rational;
+use crate::kernel::coefficient::Coefficient;
+use crate::kernel::layout::Layout;
+use crate::kernel::reframe::Reframe;
+use crate::kernel::shape::Shape;
+use crate::kernel::task::{ChangeFrame, SymmetricSum, Value};
+use crate::segment::Segment;
+
+/// A polynomial map `F(t) = F_0 + F_1 t + … + F_m t^m` from the line into a
+/// space of any dimension, with a polar degree `m` that is at least the degree
+/// of every coordinate.
+///
+/// ```
+/// use casteljau::{Curve, Interval, Rational};
+/// // The cubic of Gallier, section 18.1.
+/// let q = |n, d| Rational::new(n, d);
+/// let curve = Curve::new(vec![
+///     vec![q(-9, 4), q(-3, 2), q(3, 4)],
+///     vec![q(0, 1), q(-9, 4), q(-3, 2), q(3, 4)],
+/// ])?;
+/// assert_eq!(curve.degree(), 3);
+/// let segment = curve.segment(&Interval::new(q(-1, 1), q(3, 1))?)?;
+/// assert_eq!(segment.point(1), [q(-4, 1), q(4, 1)]);
+/// assert_eq!(segment.curve()?, curve);
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve<C = Rational> {
+    degree: usize,
+    dimension: usize,
+    /// `F_0`, then `F_1`, …: the coordinates of one vector after the other.
+    coefficients: Vec<C>,
+}
+
+impl<C: Coefficient> Curve<C> {
+    /// The curve whose coordinates have these coefficients, in ascending powers.
+    /// The polar degree is one less than the longest list.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if there is no coordinate or every list is empty.
+    pub fn new(coordinates: Vec<Vec<C>>) -> Result<Self, Error> {
+        let dimension = coordinates.len();
+        let length = coordinates.iter().map(Vec::len).max().unwrap_or(0);
+        if length == 0 {
+            return Err(Error::WrongShape("a curve needs at least one coordinate with at least one coefficient".into()));
+        }
+        let mut coefficients = vec![C::nothing(); length * dimension];
+        for (position, coordinate) in coordinates.into_iter().enumerate() {
+            for (power, coefficient) in coordinate.into_iter().enumerate() {
+                coefficients[power * dimension + position] = coefficient;
+            }
+        }
+        Ok(Self { degree: length - 1, dimension, coefficients })
+    }
+
+    /// The curve with the vectors `F_0, …, F_m`, one after the other.
+    pub(crate) fn from_vectors(dimension: usize, coefficients: Vec<C>) -> Self {
+        debug_assert!(dimension > 0 && !coefficients.is_empty() && coefficients.len() % dimension == 0);
+        Self { degree: coefficients.len() / dimension - 1, dimension, coefficients }
+    }
+
+    /// The polar degree: the number of arguments of the polar form.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// The number of coordinates.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The largest degree of the coordinates; 0 for constants.
+    #[must_use]
+    pub fn true_degree(&self) -> usize {
+        (1..=self.degree).rev().find(|&power| self.vector(power).iter().any(|c| !c.is_nothing())).unwrap_or(0)
+    }
+
+    /// The vector `F_k` of the coefficients of `t^k`.
+    ///
+    /// # Panics
+    /// If `power` is larger than the polar degree.
+    #[must_use]
+    pub fn vector(&self, power: usize) -> &[C] {
+        &self.coefficients[power * self.dimension..(power + 1) * self.dimension]
+    }
+
+    /// The coefficients of one coordinate, in ascending powers.
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
+    pub fn coordinate(&self, index: usize) -> impl DoubleEndedIterator<Item = &C> + ExactSizeIterator {
+        assert!(index < self.dimension, "the curve has {} coordinates", self.dimension);
+        self.coefficients[index..].iter().step_by(self.dimension)
+    }
+
+    /// The same map with another polar degree.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooLow`] if a coordinate has a higher degree.
+    pub fn with_degree(mut self, degree: usize) -> Result<Self, Error> {
+        let needed = self.true_degree();
+        if degree < needed {
+            return Err(Error::DegreeTooLow { asked: degree, needed });
+        }
+        self.coefficients.resize((degree + 1) * self.dimension, C::nothing());
+        self.degree = degree;
+        Ok(self)
+    }
+
+    /// The polar form: the one symmetric map, affine in each of its `m`
+    /// arguments, that agrees with the curve where they are all equal.
+    #[must_use]
+    pub fn polar(&self) -> PolarForm<C> {
+        PolarForm::of(self)
+    }
+
+    /// The polar value `f(t_1, …, t_m)`.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
+    pub fn blossom(&self, arguments: &[C]) -> Result<Vec<C>, Error> {
+        let arguments: Vec<Parameter<C>> = arguments.iter().cloned().map(Parameter::from).collect();
+        self.blossom_homogeneous(&arguments)
+    }
+
+    /// The polar value at homogeneous arguments `[w; t]`, vectors (`w = 0`) included.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
+    pub fn blossom_homogeneous(&self, arguments: &[Parameter<C>]) -> Result<Vec<C>, Error> {
+        if arguments.len() != self.degree {
+            return Err(Error::WrongCount { what: "polar arguments", expected: self.degree, found: arguments.len() });
+        }
+        let multiples = binomial_multiples(self.degree);
+        let mut constant = C::from(multiples[0].clone());
+        let mut parameters = Vec::with_capacity(3 * self.degree + 1);
+        for Parameter { t, w } in arguments {
+            let ((t, t_scale), (w, w_scale)) = (t.fraction(), w.fraction());
+            constant.multiply(&t_scale);
+            if w_scale.is_unit() {
+                parameters.extend([t, w.times(&t_scale)]);
+            } else {
+                parameters.extend([t.times(&w_scale), w.times(&t_scale)]);
+                constant.multiply(&w_scale);
+            }
+        }
+        parameters.extend(multiples.into_iter().map(C::from));
+        let task = SymmetricSum { degree: self.degree, dimension: self.dimension };
+        Ok(C::compute(&task, &self.coefficients, &parameters, &[self.point_layout(constant)]))
+    }
+
+    /// The point `F(t)`.
+    #[must_use]
+    pub fn value(&self, t: &C) -> Vec<C> {
+        let (numerator, scale) = t.fraction();
+        let mut constant = C::unit();
+        (0..self.degree).for_each(|_| constant.multiply(&scale));
+        let task = Value { degree: self.degree, dimension: self.dimension };
+        C::compute(&task, &self.coefficients, &[numerator, scale], &[self.point_layout(constant)])
+    }
+
+    fn point_layout(&self, constant: C) -> Layout<C> {
+        Layout::constant(Shape::curve(0, self.dimension), constant)
+    }
+
+    /// The derivative of some order, a curve of vectors of a polar degree that
+    /// much lower (zero of polar degree 0 beyond the degree).
+    #[must_use]
+    pub fn derivative(&self, order: usize) -> Self {
+        if order > self.degree {
+            return Self::from_vectors(self.dimension, vec![C::nothing(); self.dimension]);
+        }
+        let mut coefficients = Vec::with_capacity((self.degree + 1 - order) * self.dimension);
+        for power in order..=self.degree {
+            let factor: Rational = (power - order + 1..=power).map(|k| Rational::from(k as i64)).product();
+            let factor = C::from(factor);
+            coefficients.extend(self.vector(power).iter().map(|c| c.times(&factor)));
+        }
+        Self::from_vectors(self.dimension, coefficients)
+    }
+
+    /// The segment over a frame: its control points are the polar values at
+    /// the vertices, `b_i = f(r^{m-i} s^i)` (Gallier, section 18.1).
+    ///
+    /// # Errors
+    /// None for a frame of numbers or symbols; the result is checked like any other.
+    pub fn segment(&self, frame: &Interval<C>) -> Result<Segment<C>, Error> {
+        let ((r, r_scale), (s, s_scale)) = (frame.r().fraction(), frame.s().fraction());
+        let rows = smallvec::smallvec![r_scale.clone(), r, s_scale.clone(), s];
+        let (reframe, parameters) =
+            Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame(format!("the frame {frame} is degenerate")))?;
+        let shape = Shape::curve(self.degree, self.dimension);
+        let layout = Layout { shape: shape.clone(), scales: smallvec::smallvec![r_scale, s_scale], multinomial: true, constant: C::unit() };
+        let task = ChangeFrame { shape, reframe, from_form: true };
+        Segment::new(self.dimension, C::compute(&task, &self.coefficients, &parameters, &[layout]), frame.clone())
+    }
+
+    /// The image under an affine map.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] if the map takes points of another dimension.
+    pub fn transform(&self, map: &AffineMap<C>) -> Result<Self, Error> {
+        let mut coefficients = map.apply(self.vector(0))?;
+        for power in 1..=self.degree {
+            coefficients.extend(map.apply_to_vector(self.vector(power))?);
+        }
+        Ok(Self::from_vectors(map.target_dimension(), coefficients))
+    }
+
+    /// Whether two curves are the same polynomial map, whatever their polar degrees.
+    #[must_use]
+    pub fn same_map(&self, other: &Self) -> bool {
+        let (short, long) = if self.degree < other.degree { (self, other) } else { (other, self) };
+        short.dimension == long.dimension
+            && long.coefficients.starts_with(&short.coefficients)
+            && long.coefficients[short.coefficients.len()..].iter().all(C::is_nothing)
+    }
+}
+
+/// The least common multiple of the binomial numbers `C(m, k)`, divided by each of them.
+fn binomial_multiples(degree: usize) -> Vec<Rational> {
+    // lcm(C(m,0), …, C(m,m)) = lcm(1, …, m+1) / (m+1)
+    let mut common = num_bigint::BigInt::from(1u32);
+    for k in 2..=degree + 1 {
+        let mut rest = k;
+        let mut prime_power = 1;
+        // k contributes its prime exactly if it is a power of one.
+        if let Some(prime) = (2..=k).find(|p| k % p == 0) {
+            while rest % prime == 0 {
+                rest /= prime;
+            }
+            if rest == 1 {
+                prime_power = prime;
+            }
+        }
+        common *= prime_power;
+    }
+    common /= degree + 1;
+    let mut multiple = common;
+    (0..=degree)
+        .map(|k| {
+            let result = Rational::from(multiple.clone());
+            // C(m,k+1) = C(m,k) (m-k)/(k+1), so the multiple changes by the inverse.
+            if k < degree {
+                multiple = &multiple * (k + 1) / (degree - k);
+            }
+            result
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn multiples_are_integers_times_binomials() {
+        for degree in 0..40 {
+            let multiples = binomial_multiples(degree);
+            let mut binomial = Rational::from(1);
+            for (k, multiple) in multiples.iter().enumerate() {
+                assert!(multiple.is_integer());
+                assert_eq!(multiple * &binomial, multiples[0]);
+                binomial = &binomial * &Rational::new((degree - k) as i64, k as i64 + 1);
+            }
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! The numbers that curves and surfaces are made of, and how a computation on
+//! them is run: cleared of denominators, on integers of a width bounded
+//! beforehand, and reduced to lowest terms at the end.
+
+use std::fmt;
+
+use num_bigint::BigInt;
+use smallvec::SmallVec;
+
+use super::denominator::{CommonDenominator, LongDenominators, ShortDenominators, integer, magnitude_of_integer};
+use super::layout::Layout;
+use crate::exact::Rational;
+use crate::exact::magnitude::Magnitude;
+use crate::exact::width::{Fixed, Integer, Ring};
+use crate::symbolic::Polynomial;
+
+/// A scalar that curves can have as coefficients, control points and
+/// parameters: [`Rational`] numbers, or [`Polynomial`]s in symbolic parameters.
+///
+/// This trait is sealed: the kernel clears denominators and chooses integer
+/// widths itself, which asks for more than ring operations.
+pub trait Coefficient: sealed::Compute + PartialEq + fmt::Debug + fmt::Display + From<Rational> + Into<Polynomial> {
+    /// The sum.
+    #[must_use]
+    fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add(other);
+        sum
+    }
+
+    /// The difference.
+    #[must_use]
+    fn minus(&self, other: &Self) -> Self {
+        let mut difference = self.clone();
+        difference.subtract(other);
+        difference
+    }
+
+    /// The product.
+    #[must_use]
+    fn times(&self, other: &Self) -> Self {
+        let mut product = self.clone();
+        product.multiply(other);
+        product
+    }
+
+    /// The quotient by a non-zero number; `None` for zero, and for what
+    /// contains a symbolic parameter.
+    #[must_use]
+    fn over(&self, divisor: &Self) -> Option<Self> {
+        Some(self.times(&Self::from(divisor.as_rational()?.recip()?)))
+    }
+
+    /// The value if it contains no symbolic parameter.
+    fn as_rational(&self) -> Option<Rational>;
+}
+
+pub(crate) mod sealed {
+    use super::{Layout, Magnitude, Ring};
+
+    /// What is computed, written once for every ring.
+    pub trait Task {
+        /// The most that any number on the way exceeds the largest number of
+        /// the data by, and at least every parameter to every power it is used in.
+        fn growth(&self, parameters: &[Magnitude]) -> Magnitude;
+        /// The computation itself, on numerators and integer parameters.
+        fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R>;
+    }
+
+    /// Running tasks; see the module.
+    pub trait Compute: Ring {
+        /// Numerator and denominator, both without denominators of their own.
+        fn fraction(&self) -> (Self, Self);
+
+        /// The numbers over their common denominator: integers, and what they are divided by.
+        fn clear(data: &[Self]) -> (Vec<Self>, Self);
+
+        /// Runs a task that is linear in `data`: numerators over the common
+        /// denominator of the data go in, with parameters that are integers,
+        /// and the results are divided by that denominator and by what
+        /// `layouts` says of each.
+        fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self>;
+    }
+}
+
+pub(crate) use sealed::{Compute, Task};
+
+impl Coefficient for Rational {
+    fn over(&self, divisor: &Self) -> Option<Self> {
+        self.checked_div(divisor)
+    }
+
+    fn as_rational(&self) -> Option<Rational> {
+        Some(self.clone())
+    }
+}
+
+impl Coefficient for Polynomial {
+    fn as_rational(&self) -> Option<Rational> {
+        Polynomial::as_rational(self)
+    }
+}
+
+impl Ring for Rational {
+    fn nothing() -> Self {
+        <Self as num_traits::Zero>::zero()
+    }
+    fn unit() -> Self {
+        <Self as num_traits::One>::one()
+    }
+    fn from_count(count: usize) -> Self {
+        Self::from(count as i64)
+    }
+    fn is_nothing(&self) -> bool {
+        num_traits::Zero::is_zero(self)
+    }
+    fn is_unit(&self) -> bool {
+        self.as_small() == Some((1, 1))
+    }
+    fn add(&mut self, other: &Self) {
+        *self += other;
+    }
+    fn subtract(&mut self, other: &Self) {
+        *self -= other;
+    }
+    fn multiply(&mut self, other: &Self) {
+        *self *= other;
+    }
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        *self += a * b;
+    }
+    fn divide_exactly(&mut self, other: &Self) {
+        *self /= other;
+    }
+}
+
+impl Ring for Polynomial {
+    fn nothing() -> Self {
+        Self::default()
+    }
+    fn unit() -> Self {
+        Self::from(Rational::from(1))
+    }
+    fn from_count(count: usize) -> Self {
+        Self::from(Rational::from(count as i64))
+    }
+    fn is_nothing(&self) -> bool {
+        self.is_empty()
+    }
+    fn is_unit(&self) -> bool {
+        Polynomial::as_rational(self).is_some_and(|value| value.is_unit())
+    }
+    fn add(&mut self, other: &Self) {
+        *self += other;
+    }
+    fn subtract(&mut self, other: &Self) {
+        *self -= other;
+    }
+    fn multiply(&mut self, other: &Self) {
+        *self *= other;
+    }
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        *self += &(a * b);
+    }
+    fn divide_exactly(&mut self, other: &Self) {
+        // The nouns take care that only numbers are divided by.
+        if let Some(quotient) = self.over(other) {
+            *self = quotient;
+        }
+    }
+}
+
+impl Compute for Rational {
+    fn fraction(&self) -> (Self, Self) {
+        match self.as_small() {
+            Some((numer, denom)) => (Self::from(numer), Self::from(denom as i64)),
+            None => (Self::from(self.numer()), Self::from(self.denom())),
+        }
+    }
+
+    fn clear(data: &[Self]) -> (Vec<Self>, Self) {
+        let common = Self::from(CommonDenominator::of(data).to_big());
+        (data.iter().map(|value| value * &common).collect(), common)
+    }
+
+    fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self> {
+        let common = CommonDenominator::of(data);
+        let sizes: SmallVec<[Magnitude; 12]> = parameters.iter().map(magnitude_of_integer).collect();
+        let bound = task.growth(&sizes).times(common.largest_numerator(data).max(Magnitude::ONE));
+        match bound.bits() {
+            0..=63 => run::<i64, T>(task, data, parameters, layouts, &common),
+            64..=127 => run::<i128, T>(task, data, parameters, layouts, &common),
+            128..=191 => run::<Fixed<3>, T>(task, data, parameters, layouts, &common),
+            192..=255 => run::<Fixed<4>, T>(task, data, parameters, layouts, &common),
+            256..=383 => run::<Fixed<6>, T>(task, data, parameters, layouts, &common),
+            384..=511 => run::<Fixed<8>, T>(task, data, parameters, layouts, &common),
+            _ => run::<BigInt, T>(task, data, parameters, layouts, &common),
+        }
+    }
+}
+
+/// Polynomials are a ring with rational constants, so nothing needs clearing.
+impl Compute for Polynomial {
+    fn fraction(&self) -> (Self, Self) {
+        (self.clone(), Self::unit())
+    }
+
+    fn clear(data: &[Self]) -> (Vec<Self>, Self) {
+        (data.to_vec(), Self::unit())
+    }
+
+    fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self> {
+        let mut results = task.run(data.to_vec(), parameters).into_iter();
+        let mut reduced = Vec::new();
+        for layout in layouts {
+            let mut multinomials = layout.multinomials::<BigInt>().into_iter();
+            layout.shape.for_each(|exponents| {
+                let mut divisor = layout.constant.clone();
+                for (scale, &exponent) in layout.scales.iter().zip(exponents) {
+                    (0..exponent).for_each(|_| divisor.multiply(scale));
+                }
+                if let Some(multinomial) = multinomials.next() {
+                    divisor.multiply(&Self::from(Rational::from(multinomial)));
+                }
+                for result in results.by_ref().take(layout.shape.stride) {
+                    // The nouns refuse symbolic divisors by name beforehand.
+                    reduced.push(result.over(&divisor).unwrap_or(result));
+                }
+            });
+        }
+        reduced
+    }
+}
+
+fn run<R: Integer, T: Task>(
+    task: &T,
+    data: &[Rational],
+    parameters: &[Rational],
+    layouts: &[Layout<Rational>],
+    common: &CommonDenominator,
+) -> Vec<Rational> {
+    let numerators: Vec<R> = data.iter().map(|value| common.numerator(value)).collect();
+    let parameters: SmallVec<[R; 12]> = parameters.iter().map(integer).collect();
+    let results = task.run(numerators, &parameters);
+    let mut reduced = Vec::with_capacity(results.len());
+    let mut results = results.into_iter();
+    for layout in layouts {
+        match ShortDenominators::new(layout, common) {
+            Some(short) => short.reduce(layout, &mut results, &mut reduced),
+            None => LongDenominators::new(layout, common).reduce(layout, &mut results, &mut reduced),
+        }
+    }
+    reduced
+}

@@ -1,0 +1,255 @@
+//! Maps as homogeneous polynomials: changing vertices, elevating, multiplying.
+//!
+//! The form of a net has the coefficients `G_α = multinomial(α) · b_α`, so that
+//! a change of frame is a linear substitution with integer entries, and no
+//! common multiple of multinomial numbers is ever needed. The coefficients
+//! `a_k` of an equation are the form over the origin and the direction.
+
+use smallvec::SmallVec;
+
+use super::shape::{Factor, Shape};
+use crate::exact::width::Ring;
+
+/// A map in the homogeneous coordinates of its frame's vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Form<R> {
+    pub(crate) shape: Shape,
+    pub(crate) entries: Vec<R>,
+}
+
+impl<R: Ring> Form<R> {
+    /// Replaces one vertex of a factor by the combination of all its vertices
+    /// with these weights; the weight at `vertex` itself must not be zero if
+    /// the new vertices are to be a frame.
+    pub(crate) fn replace(&mut self, factor: usize, vertex: usize, weights: &[R]) {
+        self.scale(factor, vertex, &weights[vertex]);
+        for (source, weight) in weights.iter().enumerate() {
+            if source != vertex && !weight.is_nothing() {
+                self.shear(factor, source, vertex, weight);
+            }
+        }
+    }
+
+    /// Multiplies every entry by `weight` to the power of its exponent at `vertex`.
+    pub(crate) fn scale(&mut self, factor: usize, vertex: usize, weight: &R) {
+        self.with_powers(factor, vertex, weight, R::multiply);
+    }
+
+    /// Undoes [`Form::scale`] where the entries are known to be multiples.
+    pub(crate) fn unscale(&mut self, factor: usize, vertex: usize, weight: &R) {
+        self.with_powers(factor, vertex, weight, R::divide_exactly);
+    }
+
+    fn with_powers(&mut self, factor: usize, vertex: usize, weight: &R, apply: impl Fn(&mut R, &R)) {
+        if weight.is_unit() {
+            return;
+        }
+        let simplex = self.shape.factors[factor];
+        let mut powers: SmallVec<[R; 16]> = SmallVec::with_capacity(simplex.degree + 1);
+        powers.push(R::unit());
+        for exponent in 1..=simplex.degree {
+            let mut power = powers[exponent - 1].clone();
+            power.multiply(weight);
+            powers.push(power);
+        }
+        let (outer, inner) = self.shape.blocks(factor);
+        let mut entries = self.entries.chunks_exact_mut(inner);
+        for _ in 0..outer {
+            simplex.for_each(|exponents| {
+                let Some(entry) = entries.next() else { return };
+                if exponents[vertex] > 0 {
+                    entry.iter_mut().for_each(|scalar| apply(scalar, &powers[exponents[vertex]]));
+                }
+            });
+        }
+    }
+
+    /// Substitutes `x_source + weight · x_target` for `x_source`.
+    fn shear(&mut self, factor: usize, source: usize, target: usize, weight: &R) {
+        let simplex = self.shape.factors[factor];
+        let (outer, inner) = self.shape.blocks(factor);
+        let block = simplex.count() * inner;
+        for line in lines(simplex, source, target) {
+            for repeat in 0..outer {
+                let block = &mut self.entries[repeat * block..(repeat + 1) * block];
+                // Horner's scheme: each pass carries one power of x_source over.
+                for last in (1..line.len()).rev() {
+                    for k in 1..=last {
+                        add_multiple(block, inner, line[k - 1], line[k], weight);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The form of the same map with `by` more arguments in a factor: the form
+    /// times that power of the sum of the factor's coordinates. Over vertices
+    /// that are points this sum is 1.
+    pub(crate) fn elevate(&mut self, factor: usize, by: usize) {
+        for _ in 0..by {
+            let small = self.shape.factors[factor];
+            let large = Factor { degree: small.degree + 1, ..small };
+            let (outer, inner) = self.shape.blocks(factor);
+            let mut entries = vec![R::nothing(); outer * large.count() * inner];
+            for repeat in 0..outer {
+                let mut source = repeat * small.count();
+                small.for_each(|exponents| {
+                    let mut raised: SmallVec<[usize; 4]> = SmallVec::from_slice(exponents);
+                    for vertex in 0..=small.dimension {
+                        raised[vertex] += 1;
+                        let target = (repeat * large.count() + large.index(&raised[1..])) * inner;
+                        raised[vertex] -= 1;
+                        for offset in 0..inner {
+                            entries[target + offset].add(&self.entries[source * inner + offset]);
+                        }
+                    }
+                    source += 1;
+                });
+            }
+            self.shape.factors[factor] = large;
+            self.entries = entries;
+        }
+    }
+
+    /// Undoes elevating a curve by one argument, where the map is known to
+    /// have one to spare.
+    pub(crate) fn lower(&mut self) {
+        let (degree, stride) = (self.shape.factors[0].degree, self.shape.stride);
+        for position in stride..degree * stride {
+            let (done, rest) = self.entries.split_at_mut(position);
+            rest[0].subtract(&done[position - stride]);
+        }
+        self.entries.truncate(degree * stride);
+        self.shape.factors[0].degree -= 1;
+    }
+
+    /// The product of two curves, coordinate by coordinate; a curve with one
+    /// coordinate multiplies every coordinate of the other.
+    pub(crate) fn product(&self, other: &Self) -> Self {
+        let (m, n) = (self.shape.factors[0].degree, other.shape.factors[0].degree);
+        let stride = self.shape.stride.max(other.shape.stride);
+        let mut entries = vec![R::nothing(); (m + n + 1) * stride];
+        for i in 0..=m {
+            for j in 0..=n {
+                for offset in 0..stride {
+                    let a = &self.entries[i * self.shape.stride + offset % self.shape.stride];
+                    let b = &other.entries[j * other.shape.stride + offset % other.shape.stride];
+                    entries[(i + j) * stride + offset].add_product(a, b);
+                }
+            }
+        }
+        Self { shape: Shape::curve(m + n, stride), entries }
+    }
+}
+
+/// `block[target] += weight · block[source]`, entry by entry.
+#[inline]
+fn add_multiple<R: Ring>(block: &mut [R], inner: usize, source: usize, target: usize, weight: &R) {
+    for offset in 0..inner {
+        let (source, target) = (source * inner + offset, target * inner + offset);
+        let (from, to) = if source < target {
+            let (head, tail) = block.split_at_mut(target);
+            (&head[source], &mut tail[0])
+        } else {
+            let (head, tail) = block.split_at_mut(source);
+            (&tail[0], &mut head[target])
+        };
+        if weight.is_unit() { to.add(from) } else { to.add_product(from, weight) }
+    }
+}
+
+/// The entries along every line from `source` to `target`: each list starts
+/// where the exponent at `target` is zero.
+fn lines(simplex: Factor, source: usize, target: usize) -> SmallVec<[SmallVec<[usize; 16]>; 1]> {
+    let mut lines = SmallVec::new();
+    simplex.for_each(|exponents| {
+        if exponents[target] > 0 || exponents[source] == 0 {
+            return;
+        }
+        let mut moved: SmallVec<[usize; 4]> = SmallVec::from_slice(exponents);
+        let mut line = SmallVec::with_capacity(exponents[source] + 1);
+        for _ in 0..=exponents[source] {
+            line.push(simplex.index(&moved[1..]));
+            if moved[source] > 0 {
+                moved[source] -= 1;
+                moved[target] += 1;
+            }
+        }
+        lines.push(line);
+    });
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn triangle(degree: usize, entries: Vec<i128>) -> Form<i128> {
+        Form { shape: Shape { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree }]), stride: 1 }, entries }
+    }
+
+    /// The form as a polynomial: its value at homogeneous coordinates.
+    fn value(form: &Form<i128>, at: &[i128]) -> Vec<i128> {
+        let mut sums = vec![0; form.shape.stride];
+        let mut entries = form.entries.chunks_exact(form.shape.stride);
+        form.shape.for_each(|exponents| {
+            let monomial: i128 = exponents.iter().zip(at).map(|(&exponent, x)| x.pow(exponent as u32)).product();
+            for (sum, entry) in sums.iter_mut().zip(entries.next().into_iter().flatten()) {
+                *sum += entry * monomial;
+            }
+        });
+        sums
+    }
+
+    proptest! {
+        #[test]
+        fn replacing_is_a_substitution(
+            entries in prop::collection::vec(-50i128..50, 10),
+            vertex in 0usize..3,
+            weights in prop::array::uniform3(-4i128..5),
+            at in prop::array::uniform3(-3i128..4),
+        ) {
+            let form = triangle(3, entries);
+            let mut replaced = form.clone();
+            replaced.replace(0, vertex, &weights);
+            let mut old = at;
+            for source in 0..3 {
+                old[source] = if source == vertex { weights[vertex] * at[vertex] } else { at[source] + weights[source] * at[vertex] };
+            }
+            prop_assert_eq!(value(&replaced, &at), value(&form, &old));
+        }
+
+        #[test]
+        fn elevating_multiplies_by_the_sum(entries in prop::collection::vec(-50i128..50, 6), at in prop::array::uniform3(-3i128..4)) {
+            let form = triangle(2, entries);
+            let mut elevated = form.clone();
+            elevated.elevate(0, 2);
+            let sum: i128 = at.iter().sum();
+            prop_assert_eq!(value(&elevated, &at)[0], value(&form, &at)[0] * sum * sum);
+        }
+
+        #[test]
+        fn lowering_undoes_elevating(entries in prop::collection::vec(-50i128..50, 8)) {
+            let form = Form { shape: Shape::curve(3, 2), entries };
+            let mut elevated = form.clone();
+            elevated.elevate(0, 1);
+            elevated.lower();
+            prop_assert_eq!(elevated, form);
+        }
+
+        #[test]
+        fn products_multiply_values(
+            a in prop::collection::vec(-50i128..50, 4),
+            b in prop::collection::vec(-50i128..50, 6),
+            at in prop::array::uniform2(-3i128..4),
+        ) {
+            let scalar = Form { shape: Shape::curve(3, 1), entries: a };
+            let vector = Form { shape: Shape::curve(2, 2), entries: b };
+            let factor = value(&scalar, &at)[0];
+            let expected: Vec<i128> = value(&vector, &at).iter().map(|x| x * factor).collect();
+            prop_assert_eq!(value(&scalar.product(&vector), &at), expected.clone());
+            prop_assert_eq!(value(&vector.product(&scalar), &at), expected);
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! A change of frame as replacements of one vertex at a time.
+
+use smallvec::{SmallVec, smallvec};
+
+use super::form::Form;
+use crate::exact::magnitude::Magnitude;
+use crate::exact::width::Ring;
+
+/// How to bring a factor's form over to new vertices.
+///
+/// Each new vertex is an integer combination of the old ones. After the first
+/// replacements the remaining new vertices must be expressed in the changed
+/// frame, which would divide by the weight replaced at; instead they are
+/// multiplied by it, and what that adds to the entries is divided out at the
+/// end, exactly (fraction-free elimination).
+///
+/// The plan itself holds no numbers. Its parameters are made with it, in the
+/// ring of the frames, and handed back when it is applied, in the ring of the
+/// entries: a row of weights for each replacement, then for each new vertex the
+/// surplus that its entries carry, to the power of their exponent.
+#[derive(Clone, Debug)]
+pub(crate) struct Reframe {
+    factor: usize,
+    /// The old vertex in whose place each new one is put, in order.
+    places: SmallVec<[usize; 3]>,
+}
+
+/// The parameters of a [`Reframe`].
+pub(crate) type Parameters<R> = SmallVec<[R; 6]>;
+
+impl Reframe {
+    /// The plan for new vertices given by rows of weights on the old ones, or
+    /// `None` if they are not a frame.
+    pub(crate) fn new<R: Ring>(factor: usize, size: usize, mut rows: Parameters<R>) -> Option<(Self, Parameters<R>)> {
+        let mut places: SmallVec<[usize; 3]> = SmallVec::new();
+        let mut surplus: Parameters<R> = smallvec![R::unit(); size];
+        for new in 0..size {
+            // Its own place where possible, so that nothing needs reordering.
+            let mut free = std::iter::once(new).chain(0..size).filter(|vertex| !places.contains(vertex));
+            let vertex = free.find(|&vertex| !rows[new * size + vertex].is_nothing())?;
+            let (done, rest) = rows.split_at_mut((new + 1) * size);
+            let row = &done[new * size..];
+            for (other, surplus) in rest.chunks_exact_mut(size).zip(&mut surplus[new + 1..]) {
+                let at_vertex = other[vertex].clone();
+                for (position, weight) in other.iter_mut().enumerate().filter(|&(position, _)| position != vertex) {
+                    weight.multiply(&row[vertex]);
+                    let mut share = at_vertex.clone();
+                    share.multiply(&row[position]);
+                    weight.subtract(&share);
+                }
+                surplus.multiply(&row[vertex]);
+            }
+            places.push(vertex);
+        }
+        rows.extend(surplus);
+        Some((Self { factor, places }, rows))
+    }
+
+    /// The most that the change multiplies the sum of the absolute entries by.
+    pub(crate) fn growth(&self, degree: usize, parameters: &[Magnitude]) -> Magnitude {
+        let rows = parameters.chunks_exact(self.places.len());
+        self.places.iter().zip(rows).fold(Magnitude::ONE, |growth, (&vertex, row)| {
+            // A coordinate x_u becomes x_u + w_u z, the replaced one w z.
+            let column = row.iter().enumerate().fold(row[vertex].max(Magnitude::ONE), |largest, (position, &weight)| {
+                if position == vertex { largest } else { largest.max(weight.plus(Magnitude::ONE)) }
+            });
+            growth.times(column.power(degree))
+        })
+    }
+
+    pub(crate) fn apply<R: Ring>(&self, form: &mut Form<R>, parameters: &[R]) {
+        let size = self.places.len();
+        let (rows, surplus) = parameters.split_at(size * size);
+        for (&vertex, weights) in self.places.iter().zip(rows.chunks_exact(size)) {
+            form.replace(self.factor, vertex, weights);
+        }
+        for (&vertex, surplus) in self.places.iter().zip(surplus) {
+            form.unscale(self.factor, vertex, surplus);
+        }
+        self.reorder(form);
+    }
+
+    /// Puts the new vertices in their own places.
+    fn reorder<R: Ring>(&self, form: &mut Form<R>) {
+        if self.places.iter().enumerate().all(|(new, &place)| new == place) {
+            return;
+        }
+        let simplex = form.shape.factors[self.factor];
+        let (outer, inner) = form.shape.blocks(self.factor);
+        let mut entries = Vec::with_capacity(form.entries.len());
+        for repeat in 0..outer {
+            simplex.for_each(|exponents| {
+                let mut placed: SmallVec<[usize; 4]> = smallvec![0; exponents.len()];
+                for (new, &place) in self.places.iter().enumerate() {
+                    placed[place] = exponents[new];
+                }
+                let start = (repeat * simplex.count() + simplex.index(&placed[1..])) * inner;
+                entries.extend_from_slice(&form.entries[start..start + inner]);
+            });
+        }
+        form.entries = entries;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::shape::{Factor, Shape};
+    use super::*;
+    use num_bigint::BigInt;
+    use proptest::prelude::*;
+
+    fn binomial(m: usize, k: usize) -> i64 {
+        (1..=k).fold(1, |c, i| c * (m + 1 - i) as i64 / i as i64)
+    }
+
+    proptest! {
+        /// Over the new vertices, the entry of a pure power is a value at the vertex.
+        #[test]
+        fn corner_entries_are_values(entries in prop::collection::vec(-30i64..30, 10), rows in prop::array::uniform9(-3i64..4)) {
+            let shape = Shape { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree: 3 }]), stride: 1 };
+            let form = Form { shape, entries: entries.iter().map(|&x| BigInt::from(x)).collect() };
+            let rows: Vec<BigInt> = rows.iter().map(|&x| BigInt::from(x)).collect();
+            let determinant = &rows[0] * (&rows[4] * &rows[8] - &rows[5] * &rows[7])
+                - &rows[1] * (&rows[3] * &rows[8] - &rows[5] * &rows[6])
+                + &rows[2] * (&rows[3] * &rows[7] - &rows[4] * &rows[6]);
+            let plan = Reframe::new(0, 3, rows.iter().cloned().collect());
+            prop_assert_eq!(plan.is_some(), determinant != BigInt::ZERO);
+            if let Some((plan, parameters)) = plan {
+                let mut reframed = form.clone();
+                plan.apply(&mut reframed, &parameters);
+                let total = |form: &Form<BigInt>| form.entries.iter().map(|x| x.magnitude().clone()).sum::<num_bigint::BigUint>();
+                let bounds: Vec<Magnitude> = parameters.iter().map(|x| Magnitude::from_big(x.magnitude())).collect();
+                let bound = plan.growth(3, &bounds).times(Magnitude::from_big(&total(&form)));
+                prop_assert!(total(&reframed).bits() <= bound.bits());
+                for (new, index) in [(0, 0), (1, 9), (2, 3)] {
+                    let mut value = BigInt::ZERO;
+                    let mut entries = form.entries.iter();
+                    form.shape.for_each(|exponents| {
+                        let mut term = entries.next().cloned().unwrap_or_default();
+                        for (vertex, &exponent) in exponents.iter().enumerate() {
+                            term *= rows[3 * new + vertex].pow(exponent as u32);
+                        }
+                        value += term;
+                    });
+                    prop_assert_eq!(&reframed.entries[index], &value);
+                }
+            }
+        }
+
+        /// Bernstein coefficients on [r, s] of powers of t, with r = 0 and s = 0 reached.
+        #[test]
+        fn powers_of_t_over_any_frame(degree in 0usize..7, power in 0usize..7, r in -4i64..5, s in -4i64..5) {
+            prop_assume!(power <= degree && r != s);
+            let mut form = Form { shape: Shape::curve(degree, 1), entries: vec![0i64; degree + 1] };
+            form.entries[power] = 1;
+            let plan = Reframe::new(0, 2, smallvec![1, r, 1, s]);
+            prop_assert!(plan.is_some());
+            if let Some((plan, parameters)) = plan {
+                plan.apply(&mut form, &parameters);
+            }
+            // The definition: C(m,k) of f(r^{m-k} s^k) = sum over subsets / C(m,power).
+            for k in 0..=degree {
+                let sum: i64 = (0..=k.min(power))
+                    .filter(|&j| power - j <= degree - k)
+                    .map(|j| binomial(k, j) * s.pow(j as u32) * binomial(degree - k, power - j) * r.pow((power - j) as u32))
+                    .sum();
+                prop_assert_eq!(form.entries[k] * binomial(degree, power), sum * binomial(degree, k));
+            }
+        }
+    }
+}

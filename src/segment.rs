@@ -1,0 +1,341 @@
+//! Segments of polynomial curves, given by control points over a frame.
+
+use smallvec::smallvec;
+
+use crate::affine::{AffineMap, Interval, Parameter};
+use crate::curve::Curve;
+use crate::error::Error;
+use crate::exact::Rational;
+use crate::kernel::coefficient::Coefficient;
+use crate::kernel::layout::Layout;
+use crate::kernel::reframe::Reframe;
+use crate::kernel::shape::Shape;
+use crate::kernel::task::{ChangeDegree, ChangeFrame, PolarValue, Product, Split};
+use crate::scheme::Scheme;
+
+/// A polynomial curve over a frame `(r, s)`, given by its control points
+/// `b_i = f(r^{m-i} s^i)`.
+///
+/// Any `m + 1` points are the control points of exactly one curve of polar
+/// degree `m` (Gallier, *Curves and Surfaces in Geometric Modeling*, lemma
+/// 18.1.2), so a segment says as much as a [`Curve`] does.
+///
+/// ```
+/// use casteljau::{Interval, Rational, Segment};
+/// let points = [[0, 0], [-4, 4], [-4, -12], [0, 0]];
+/// let points = points.map(|p| p.map(Rational::from).to_vec()).to_vec();
+/// let segment = Segment::from_points(points, Interval::new((-1).into(), 3.into())?)?;
+/// assert_eq!(segment.value(&Rational::from(1))?, [Rational::from(-3), Rational::from(-3)]);
+/// let (left, right) = segment.split(&Rational::from(1))?;
+/// assert_eq!(left.point(2), [Rational::from(-3), Rational::from(-1)]);
+/// assert!(left.same_map(&right)?);
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Segment<C = Rational> {
+    shape: Shape,
+    /// The coordinates of `b_0`, then those of `b_1`, ….
+    coordinates: Vec<C>,
+    frame: Interval<C>,
+}
+
+/// A segment at its true degree, and what that is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reduction<C = Rational> {
+    /// The largest degree of the coordinates; 0 for a constant.
+    pub true_degree: usize,
+    /// Whether all coordinates vanish identically.
+    pub zero: bool,
+    /// The same map with the true degree as its polar degree.
+    pub segment: Segment<C>,
+}
+
+impl<C: Coefficient> Segment<C> {
+    /// The segment whose control points have these coordinates, point by point.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if there is no point or the list does not divide
+    /// into points of that dimension.
+    pub fn new(dimension: usize, coordinates: Vec<C>, frame: Interval<C>) -> Result<Self, Error> {
+        if dimension == 0 || coordinates.is_empty() || coordinates.len() % dimension != 0 {
+            return Err(Error::WrongShape(format!(
+                "{} coordinates do not make one or more points with {dimension} coordinates",
+                coordinates.len()
+            )));
+        }
+        Ok(Self { shape: Shape::curve(coordinates.len() / dimension - 1, dimension), coordinates, frame })
+    }
+
+    /// The segment with these control points.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if there is no point, a point without coordinates,
+    /// or points of different dimensions.
+    pub fn from_points(points: Vec<Vec<C>>, frame: Interval<C>) -> Result<Self, Error> {
+        let dimension = points.first().map_or(0, Vec::len);
+        if let Some(odd) = points.iter().position(|point| point.len() != dimension) {
+            return Err(Error::WrongShape(format!(
+                "point {odd} has {} coordinates, point 0 has {dimension}: all must have the same number",
+                points[odd].len()
+            )));
+        }
+        Self::new(dimension, points.into_iter().flatten().collect(), frame)
+    }
+
+    /// The polar degree: one less than the number of control points.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.shape.factors[0].degree
+    }
+
+    /// The number of coordinates.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.shape.stride
+    }
+
+    /// The frame.
+    #[must_use]
+    pub fn frame(&self) -> &Interval<C> {
+        &self.frame
+    }
+
+    /// The coordinates of all control points, point by point.
+    #[must_use]
+    pub fn coordinates(&self) -> &[C] {
+        &self.coordinates
+    }
+
+    /// The control point `b_i`.
+    ///
+    /// # Panics
+    /// If `index` is larger than the polar degree.
+    #[must_use]
+    pub fn point(&self, index: usize) -> &[C] {
+        &self.coordinates[index * self.dimension()..(index + 1) * self.dimension()]
+    }
+
+    /// The control points in order.
+    pub fn points(&self) -> impl DoubleEndedIterator<Item = &[C]> + ExactSizeIterator + Clone {
+        self.coordinates.chunks_exact(self.dimension())
+    }
+
+    fn rebuilt(&self, degree: usize, coordinates: Vec<C>, frame: Interval<C>) -> Self {
+        Self { shape: self.shape.with_degree(0, degree), coordinates, frame }
+    }
+
+    /// The equation of the curve.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub fn curve(&self) -> Result<Curve<C>, Error> {
+        Ok(Curve::from_vectors(self.dimension(), self.over_origin_and_direction()?))
+    }
+
+    /// The coefficients `F_0, …, F_m`: the form over the origin and the direction.
+    fn over_origin_and_direction(&self) -> Result<Vec<C>, Error> {
+        let origin = Parameter::from(C::nothing());
+        self.change_frame(&[origin, Parameter::direction()], false)
+    }
+
+    /// The entries over new vertices, divided by their multinomial numbers or not.
+    fn change_frame(&self, vertices: &[Parameter<C>; 2], multinomial: bool) -> Result<Vec<C>, Error> {
+        let [first, second] = [self.frame.weights(&vertices[0])?, self.frame.weights(&vertices[1])?];
+        let rows = first.weights.into_iter().chain(second.weights).collect();
+        let (reframe, parameters) = Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame("the new frame is degenerate".into()))?;
+        let layout = Layout { shape: self.shape.clone(), scales: smallvec![first.scale, second.scale], multinomial, constant: C::unit() };
+        let task = ChangeFrame { shape: self.shape.clone(), reframe, from_form: false };
+        Ok(C::compute(&task, &self.coordinates, &parameters, &[layout]))
+    }
+
+    /// The control points over another frame: the polar values at its vertices.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the present frame is symbolic.
+    pub fn reframe(&self, frame: &Interval<C>) -> Result<Self, Error> {
+        if frame.r().as_rational().is_none() || frame.s().as_rational().is_none() {
+            // Replacing vertices directly would divide by a symbolic weight.
+            return self.curve()?.segment(frame);
+        }
+        let vertices = [frame.r(), frame.s()].map(|vertex| Parameter::from(vertex.clone()));
+        Ok(self.rebuilt(self.degree(), self.change_frame(&vertices, true)?, frame.clone()))
+    }
+
+    /// The polar value `f(t_1, …, t_m)`: one step of de Casteljau's algorithm
+    /// for each argument (Gallier, section 18.1, the expansion of `f` over
+    /// subsets, in a quadratic number of steps).
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] unless there are as many arguments as the polar
+    /// degree; [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub fn blossom(&self, arguments: &[C]) -> Result<Vec<C>, Error> {
+        let arguments: Vec<Parameter<C>> = arguments.iter().cloned().map(Parameter::from).collect();
+        self.blossom_homogeneous(&arguments)
+    }
+
+    /// The polar value at homogeneous arguments `[w; t]`, vectors included.
+    ///
+    /// # Errors
+    /// As for [`Segment::blossom`].
+    pub fn blossom_homogeneous(&self, arguments: &[Parameter<C>]) -> Result<Vec<C>, Error> {
+        if arguments.len() != self.degree() {
+            return Err(Error::WrongCount { what: "polar arguments", expected: self.degree(), found: arguments.len() });
+        }
+        let mut constant = C::unit();
+        let mut parameters = Vec::with_capacity(2 * arguments.len());
+        for argument in arguments {
+            let found = self.frame.weights(argument)?;
+            parameters.extend(found.weights);
+            constant.multiply(&found.scale);
+        }
+        let layout = Layout::constant(Shape::curve(0, self.dimension()), constant);
+        Ok(C::compute(&PolarValue { shape: self.shape.clone() }, &self.coordinates, &parameters, &[layout]))
+    }
+
+    /// The point `F(t)`, for any `t`, inside the frame or not.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub fn value(&self, t: &C) -> Result<Vec<C>, Error> {
+        self.blossom(&vec![t.clone(); self.degree()])
+    }
+
+    /// De Casteljau's algorithm at `t` with all intermediate points.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub fn scheme(&self, t: &C) -> Result<Scheme<C>, Error> {
+        Scheme::of(self, t)
+    }
+
+    pub(crate) fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// The control points over `(r, t)` and over `(t, s)`.
+    ///
+    /// At a vertex one of the two frames has no length; use
+    /// [`Segment::scheme`] to see that half all the same.
+    ///
+    /// # Errors
+    /// [`Error::DegenerateFrame`] if `t` is `r` or `s`; [`Error::Unsupported`]
+    /// if the length of the frame is symbolic.
+    pub fn split(&self, t: &C) -> Result<(Self, Self), Error> {
+        let left = Interval::new(self.frame.r().clone(), t.clone())?;
+        let right = Interval::new(t.clone(), self.frame.s().clone())?;
+        let found = self.frame.weights(&Parameter::from(t.clone()))?;
+        let half = |scales| Layout { shape: self.shape.clone(), scales, multinomial: false, constant: C::unit() };
+        let layouts = [half(smallvec![C::unit(), found.scale.clone()]), half(smallvec![found.scale, C::unit()])];
+        let mut first = C::compute(&Split { shape: self.shape.clone() }, &self.coordinates, &found.weights, &layouts);
+        let second = first.split_off(self.coordinates.len());
+        Ok((self.rebuilt(self.degree(), first, left), self.rebuilt(self.degree(), second, right)))
+    }
+
+    /// The pieces of `depth` rounds of splitting in the middle, `2^depth` in order.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] for a depth above 20; [`Error::Unsupported`] if the
+    /// length of the frame is symbolic.
+    pub fn subdivide(&self, depth: usize) -> Result<Vec<Self>, Error> {
+        const MAX_DEPTH: usize = 20;
+        if depth > MAX_DEPTH {
+            return Err(Error::TooLarge { what: "depth of subdivision", limit: MAX_DEPTH });
+        }
+        let half = C::from(Rational::new(1, 2));
+        let mut pieces = vec![self.clone()];
+        for _ in 0..depth {
+            let mut halves = Vec::with_capacity(2 * pieces.len());
+            for piece in &pieces {
+                let (left, right) = piece.split(&piece.frame.at(&half))?;
+                halves.extend([left, right]);
+            }
+            pieces = halves;
+        }
+        Ok(pieces)
+    }
+
+    /// The same map with `by` more control points (Gallier, section 18.1, the
+    /// remark on polar degrees; Farin, *Curves and Surfaces for CAGD*, degree elevation).
+    #[must_use]
+    pub fn elevate(&self, by: usize) -> Self {
+        self.with_known_degree(self.degree() + by)
+    }
+
+    fn with_known_degree(&self, degree: usize) -> Self {
+        let task = ChangeDegree { shape: self.shape.clone(), degree };
+        let layout = Layout::form(self.shape.with_degree(0, degree));
+        self.rebuilt(degree, C::compute(&task, &self.coordinates, &[], &[layout]), self.frame.clone())
+    }
+
+    /// The same map with as few control points as it can have.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub fn reduce(&self) -> Result<Reduction<C>, Error> {
+        let curve = self.curve()?;
+        let true_degree = curve.true_degree();
+        Ok(Reduction {
+            true_degree,
+            zero: true_degree == 0 && curve.vector(0).iter().all(C::is_nothing),
+            segment: self.with_known_degree(true_degree),
+        })
+    }
+
+    /// The derivative as a segment over the same frame; its control points are
+    /// the vectors `m (b_{i+1} - b_i) / (s - r)`.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of the frame is symbolic.
+    pub fn derivative(&self) -> Result<Self, Error> {
+        let degree = self.degree();
+        if degree == 0 {
+            return Ok(self.rebuilt(0, vec![C::nothing(); self.dimension()], self.frame.clone()));
+        }
+        let length = self.frame.s().minus(self.frame.r());
+        let factor = C::from(Rational::from(degree as i64))
+            .over(&length)
+            .ok_or_else(|| Error::Unsupported(format!("the derivative divides by {length}, which must be a number")))?;
+        let differences = self.coordinates.iter().zip(&self.coordinates[self.dimension()..]).map(|(a, b)| b.minus(a).times(&factor));
+        Ok(self.rebuilt(degree - 1, differences.collect(), self.frame.clone()))
+    }
+
+    /// The product with another segment over the same frame: coordinate by
+    /// coordinate, or a curve with one coordinate times every coordinate of the other.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if the frames differ, or the dimensions do and neither is 1.
+    pub fn product(&self, other: &Self) -> Result<Self, Error> {
+        if self.frame != other.frame {
+            return Err(Error::WrongShape("a product needs both segments over the same frame; reframe one of them first".into()));
+        }
+        let (a, b) = (self.dimension(), other.dimension());
+        if a != b && a != 1 && b != 1 {
+            return Err(Error::WrongShape(format!("a product needs equal dimensions, or one that is 1; found {a} and {b}")));
+        }
+        let (parameters, constant) = C::clear(&other.coordinates);
+        let shape = Shape::curve(self.degree() + other.degree(), a.max(b));
+        let layout = Layout { constant, ..Layout::form(shape.clone()) };
+        let task = Product { first: self.shape.clone(), second: other.shape.clone() };
+        let coordinates = C::compute(&task, &self.coordinates, &parameters, &[layout]);
+        Ok(Self { shape, coordinates, frame: self.frame.clone() })
+    }
+
+    /// The image under an affine map: its control points are the images of the control points.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] if the map takes points of another dimension.
+    pub fn transform(&self, map: &AffineMap<C>) -> Result<Self, Error> {
+        let points = self.points().map(|point| map.apply(point)).collect::<Result<Vec<_>, _>>()?;
+        Self::from_points(points, self.frame.clone())
+    }
+
+    /// Whether two segments are pieces of the same polynomial map, whatever
+    /// their frames and polar degrees: they agree on an arc only if they agree
+    /// everywhere (CS348a, lecture 6, section 1.2).
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of a frame is symbolic.
+    pub fn same_map(&self, other: &Self) -> Result<bool, Error> {
+        Ok(self.curve()?.same_map(&other.curve()?))
+    }
+}
