@@ -64,6 +64,12 @@ impl<C: Coefficient> Curve<C> {
         Self { degree: coefficients.len() / dimension - 1, dimension, coefficients }
     }
 
+    /// The same curve with every coefficient brought into another ring.
+    pub(crate) fn map<D: Coefficient, E>(&self, number: &mut impl FnMut(&C) -> Result<D, E>) -> Result<Curve<D>, E> {
+        let coefficients = self.coefficients.iter().map(number).collect::<Result<_, E>>()?;
+        Ok(Curve { degree: self.degree, dimension: self.dimension, coefficients })
+    }
+
     /// The polar degree: the number of arguments of the polar form.
     #[must_use]
     pub fn degree(&self) -> usize {

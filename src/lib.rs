@@ -1,20 +1,32 @@
 //! casteljau
-#![allow(dead_code)]
 mod affine;
+
+mod bernstein;
 mod blossom;
+
 mod curve;
+pub mod draw;
 mod error;
 mod exact;
+mod flatness;
+mod hull;
 mod kernel;
+
+pub mod ops;
+
 mod scheme;
 mod segment;
 mod symbolic;
+pub mod syntax;
 pub use affine::*;
-pub use blossom::*;
+pub use bernstein::*;
+pub use blossom::{check_polar_form,polar_symbol,sigma,symmetric_terms,PolarForm,PolarDefect};
 pub use curve::*;
 pub use error::*;
-pub use exact::{MAX_DIGITS, ParseNumberError, Rational};
-pub use kernel::coefficient::Coefficient;
+pub use flatness::*;
+pub use hull::*;
 pub use scheme::*;
 pub use segment::*;
 pub use symbolic::*;
+pub use exact::{MAX_DIGITS, ParseNumberError, Rational, RealRoots, Root, RootPlace};
+pub use kernel::coefficient::Coefficient;

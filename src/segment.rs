@@ -51,6 +51,9 @@ pub struct Reduction<C = Rational> {
 }
 
 impl<C: Coefficient> Segment<C> {
+    /// The most rounds of splitting in the middle that are carried out at once.
+    pub const MAX_DEPTH: usize = 20;
+
     /// The segment whose control points have these coordinates, point by point.
     ///
     /// # Errors
@@ -237,9 +240,8 @@ impl<C: Coefficient> Segment<C> {
     /// [`Error::TooLarge`] for a depth above 20; [`Error::Unsupported`] if the
     /// length of the frame is symbolic.
     pub fn subdivide(&self, depth: usize) -> Result<Vec<Self>, Error> {
-        const MAX_DEPTH: usize = 20;
-        if depth > MAX_DEPTH {
-            return Err(Error::TooLarge { what: "depth of subdivision", limit: MAX_DEPTH });
+        if depth > Self::MAX_DEPTH {
+            return Err(Error::TooLarge { what: "depth of subdivision", limit: Self::MAX_DEPTH });
         }
         let half = C::from(Rational::new(1, 2));
         let mut pieces = vec![self.clone()];
@@ -252,6 +254,16 @@ impl<C: Coefficient> Segment<C> {
             pieces = halves;
         }
         Ok(pieces)
+    }
+
+    /// The points of the curve at the ends of the pieces of [`Segment::subdivide`], in order.
+    ///
+    /// # Errors
+    /// As for [`Segment::subdivide`].
+    pub fn polyline(&self, depth: usize) -> Result<Vec<Vec<C>>, Error> {
+        let pieces = self.subdivide(depth)?;
+        let ends = pieces.iter().map(|piece| piece.point(piece.degree()).to_vec());
+        Ok(std::iter::once(self.point(0).to_vec()).chain(ends).collect())
     }
 
     /// The same map with `by` more control points (Gallier, section 18.1, the

@@ -48,6 +48,11 @@ impl<C: Coefficient> Interval<C> {
         Self { r: C::nothing(), s: C::unit() }
     }
 
+    /// The same frame with its vertices brought into another ring.
+    pub(crate) fn map<D: Coefficient, E>(&self, number: &mut impl FnMut(&C) -> Result<D, E>) -> Result<Interval<D>, E> {
+        Ok(Interval { r: number(&self.r)?, s: number(&self.s)? })
+    }
+
     /// The first vertex.
     #[must_use]
     pub fn r(&self) -> &C {

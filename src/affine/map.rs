@@ -34,6 +34,12 @@ impl<C: Coefficient> AffineMap<C> {
         Ok(Self { rows, shift })
     }
 
+    /// The same map with its numbers brought into another ring.
+    pub(crate) fn map<D: Coefficient, E>(&self, number: &mut impl FnMut(&C) -> Result<D, E>) -> Result<AffineMap<D>, E> {
+        let mut list = |values: &[C]| values.iter().map(&mut *number).collect::<Result<Vec<D>, E>>();
+        Ok(AffineMap { rows: self.rows.iter().map(|row| list(row)).collect::<Result<_, E>>()?, shift: list(&self.shift)? })
+    }
+
     /// The number of coordinates of the points it takes.
     #[must_use]
     pub fn source_dimension(&self) -> usize {

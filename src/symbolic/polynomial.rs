@@ -501,10 +501,7 @@ mod tests {
     #[test]
     fn degrees_and_constants() {
         let zero = Polynomial::zero();
-        assert_eq!(
-            (zero.total_degree(), zero.degree_in(T), zero.coefficients_in(T).len(), zero.as_rational()),
-            (0, 0, 1, Some(Rational::zero()))
-        );
+        assert_eq!((zero.total_degree(), zero.degree_in(T), zero.coefficients_in(T).len(), zero.as_rational()), (0, 0, 1, Some(Rational::zero())));
         let p = Polynomial::from_terms([
             (Monomial::from_factors([(T, 2), (A, 1)]), Rational::from(1)),
             (Monomial::power(T, 1), Rational::new(-1, 2)),

@@ -1,0 +1,5 @@
+//! Pictures.
+
+mod curve;
+
+pub use curve::CurvePicture;

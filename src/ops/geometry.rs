@@ -1,0 +1,38 @@
+//! Operations on what encloses and approximates a curve.
+
+use super::arguments::Arguments;
+use super::value::{Answer, Value};
+use crate::error::Error;
+use crate::hull::{ConvexHull, bounding_box};
+
+pub(super) fn hull(arguments: &Arguments) -> Result<Answer, Error> {
+    let segment = arguments.segment()?;
+    let (least, largest) = bounding_box(segment.points())?;
+    let corners = Value::Record(vec![("least", Value::Point(least)), ("largest", Value::Point(largest))]);
+    let planar = segment.dimension() == 2 || arguments.get("point").is_some();
+    let hull = if planar { Some(ConvexHull::of(segment.points())?) } else { None };
+    let vertices = match &hull {
+        Some(hull) => Value::Points(hull.vertices().iter().map(|vertex| vertex.to_vec()).collect()),
+        None => Value::Nothing,
+    };
+    let mut answer = Answer::new(vec![("box", corners), ("hull", vertices)]);
+    if let (Some(hull), Ok(point)) = (hull, arguments.point("point")) {
+        let [x, y] = point.as_slice() else {
+            return Err(Error::WrongCount { what: "coordinates", expected: 2, found: point.len() });
+        };
+        let inside = hull.contains(&[x.clone(), y.clone()]);
+        answer.fields.push(("contains", Value::Truth(inside)));
+        answer = answer.that_holds(inside);
+    }
+    Ok(answer)
+}
+
+pub(super) fn flatten(arguments: &Arguments) -> Result<Answer, Error> {
+    let segment = arguments.segment()?;
+    let flattening = segment.flatten(arguments.number("flatness")?)?;
+    Ok(Answer::new(vec![
+        ("depth", Value::Count(flattening.depth)),
+        ("bound", Value::Numbers(flattening.bound)),
+        ("polyline", Value::Points(flattening.polyline)),
+    ]))
+}

@@ -1,0 +1,88 @@
+//! Operations on numbers and on polynomials in one variable.
+
+use num_traits::{Signed, Zero};
+
+use super::arguments::Arguments;
+use super::value::{Answer, Value};
+use crate::bernstein::Bernstein;
+use crate::blossom;
+use crate::error::Error;
+use crate::exact::{RealRoots, Root, RootPlace};
+use crate::kernel::coefficient::Coefficient;
+
+pub(super) fn sigma<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>, Error> {
+    Ok(Answer::new(vec![("values", Value::Numbers(blossom::sigma(arguments.numbers("values")?)))]))
+}
+
+pub(super) fn contains(arguments: &Arguments) -> Result<Answer, Error> {
+    let inside = arguments.frame("frame")?.contains(arguments.number("t")?);
+    Ok(Answer::new(vec![("inside", Value::Truth(inside))]).that_holds(inside))
+}
+
+pub(super) fn bernstein(arguments: &Arguments) -> Result<Answer, Error> {
+    let basis = Bernstein::new(*arguments.count("degree")?, arguments.frame_or_unit("frame"));
+    let all = match arguments.count("index") {
+        Ok(&index) => index..=index,
+        Err(_) => 0..=basis.degree(),
+    };
+    let values = arguments.number("t").ok().map(|t| basis.values(t));
+    let mut polynomials = Vec::new();
+    for index in all {
+        let mut record = vec![("index", Value::Count(index)), ("polynomial", Value::Curve(basis.polynomial(index)?))];
+        record.push((
+            "maximum",
+            match basis.maximum(index) {
+                Some((t, value)) => Value::Record(vec![("t", Value::Number(t)), ("value", Value::Number(value))]),
+                None => Value::Nothing,
+            },
+        ));
+        if let Some(value) = values.as_ref().and_then(|values| values.get(index)) {
+            record.push(("value", Value::Number(value.clone())));
+        }
+        polynomials.push(Value::Record(record));
+    }
+    Ok(Answer::new(vec![("frame", Value::Frame(basis.frame().clone())), ("polynomials", Value::List(polynomials))]))
+}
+
+pub(super) fn roots(arguments: &Arguments) -> Result<Answer, Error> {
+    let mut segment = arguments.segment()?;
+    if let Ok(plane) = arguments.map("plane") {
+        segment = segment.transform(plane)?;
+    }
+    if segment.dimension() != 1 {
+        return Err(Error::WrongShape(format!(
+            "roots are those of one number: give numbers as control points, or a line or plane (found {} coordinates)",
+            segment.dimension()
+        )));
+    }
+    let mut variations = 0usize;
+    let mut previous_negative = None;
+    for value in segment.coordinates().iter().filter(|value| !value.is_zero()) {
+        variations += usize::from(previous_negative == Some(!value.is_negative()));
+        previous_negative = Some(value.is_negative());
+    }
+    let curve = segment.curve()?;
+    let coefficients: Vec<_> = curve.coordinate(0).cloned().collect();
+    let Some(roots) = RealRoots::of(&coefficients) else {
+        return Err(Error::Unsupported("the polynomial is zero everywhere: the whole curve lies in the line or plane".into()));
+    };
+    let (r, s) = (segment.frame().r(), segment.frame().s());
+    let (low, high) = if r < s { (r, s) } else { (s, r) };
+    let mut fields = vec![
+        ("sign_variations", Value::Count(variations)),
+        ("distinct_roots_open", Value::Count(roots.distinct_between(low, high))),
+        ("roots_with_multiplicity_open", Value::Count(roots.with_multiplicity_between(low, high))),
+    ];
+    if arguments.flag("isolate") {
+        fields.push(("roots", Value::List(roots.between(low, high).into_iter().map(root).collect())));
+    }
+    Ok(Answer::new(fields))
+}
+
+fn root(root: Root) -> Value {
+    let place = match root.place {
+        RootPlace::Exact(value) => ("t", Value::Number(value)),
+        RootPlace::Between(low, high) => ("between", Value::Numbers(vec![low, high])),
+    };
+    Value::Record(vec![place, ("multiplicity", Value::Count(root.multiplicity))])
+}

@@ -1,0 +1,169 @@
+//! The arguments of a polar form.
+
+use num_traits::One;
+
+use super::evaluate::Value;
+use super::expression::ExpressionKind;
+use super::lexer::shorten;
+use super::limits::MAX_DEGREE;
+use super::parser::{Parser, exponent_value};
+use super::token::{Bracket, TokenKind};
+use super::{Span, SyntaxError};
+use crate::symbolic::Polynomial;
+
+/// One argument of a polar form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArgumentInput {
+    /// The weight: 1 for a point, what was written for a homogeneous argument
+    /// `[w; t]`. Weight 0 makes it a vector.
+    pub weight: Polynomial,
+    /// One coordinate for curves and for each group of a bidegree form, two for
+    /// triangles. Of a homogeneous argument as written, not divided by the weight.
+    pub coordinates: Vec<Polynomial>,
+    /// Whether the argument was written as `[w; …]`.
+    pub is_homogeneous: bool,
+    /// Where the argument was written; repeated ones share their place.
+    pub span: Span,
+}
+
+/// The arguments of a polar form; repetitions such as `r^2` are written out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolarArguments {
+    /// One group, or two where a semicolon separates those of a bidegree form.
+    /// A group may be empty, for degree 0.
+    pub groups: Vec<Vec<ArgumentInput>>,
+}
+
+/// Reads polar arguments: `-1, -1, 3`, `r^2 s`, `(1,0) (0,1)`, `[0; 1] 2`, or
+/// two groups `1 0 0; 0 1 0`. Empty text is one empty group.
+///
+/// # Errors
+/// If the text is no such list, if arguments have different numbers of
+/// coordinates, or if there are more than [`MAX_DEGREE`].
+///
+/// ```
+/// use casteljau::syntax;
+/// let arguments = syntax::parse_polar_arguments("r^2 s")?;
+/// assert_eq!(arguments.groups[0].len(), 3);
+/// # Ok::<(), syntax::SyntaxError>(())
+/// ```
+pub fn parse_polar_arguments(text: &str) -> Result<PolarArguments, SyntaxError> {
+    let mut parser = Parser::spaced(text)?;
+    let mut groups = Vec::new();
+    loop {
+        groups.push(parser.arguments()?);
+        if parser.at_end() {
+            break;
+        }
+        if groups.len() == 2 {
+            return Err(parser.expected("at most two groups of arguments"));
+        }
+        parser.advance();
+    }
+    check_dimensions(&groups)?;
+    Ok(PolarArguments { groups })
+}
+
+const ARGUMENT: &str = "an argument: a number, a point `(u,v)` or `[w; t]`";
+
+impl Parser<'_> {
+    /// The arguments up to a semicolon or the end.
+    fn arguments(&mut self) -> Result<Vec<ArgumentInput>, SyntaxError> {
+        let repeats = !self.top_level().take_while(|(_, token)| token.kind != TokenKind::Semicolon).any(|(_, token)| token.kind == TokenKind::Comma);
+        let mut arguments = Vec::new();
+        let mut after_comma = false;
+        loop {
+            match self.peek() {
+                TokenKind::End | TokenKind::Semicolon if !after_comma => return Ok(arguments),
+                TokenKind::End | TokenKind::Semicolon | TokenKind::Comma | TokenKind::Close(_) => return Err(self.expected(ARGUMENT)),
+                _ => {}
+            }
+            let (argument, count) = if self.peek() == TokenKind::Open(Bracket::Square) { self.homogeneous(repeats)? } else { self.argument_of_polar_form(repeats)? };
+            if arguments.len() as u64 + u64::from(count) > u64::from(MAX_DEGREE) {
+                return Err(SyntaxError::new(argument.span, format!("found more than {MAX_DEGREE} arguments, expected at most {MAX_DEGREE}")));
+            }
+            arguments.extend((0..count).map(|_| argument.clone()));
+            after_comma = self.take(TokenKind::Comma);
+        }
+    }
+
+    /// A number or a point, and how often it is repeated.
+    fn argument_of_polar_form(&mut self, repeats: bool) -> Result<(ArgumentInput, u32), SyntaxError> {
+        let expression = self.expression()?;
+        let span = expression.span;
+        let (base, count) = match &expression.kind {
+            ExpressionKind::Power(base, exponent) if repeats => {
+                let value = self.evaluate_scalar(exponent)?;
+                let count = value.as_rational().and_then(|value| exponent_value(&value));
+                (base.as_ref(), count.ok_or_else(|| SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number"))?)
+            }
+            _ if repeats && expression.has_bare_power() => {
+                let shown = shorten(span.text(self.source));
+                let message = format!("found `{shown}` in a list without commas, where `x^k` repeats the argument x, expected a single letter, number or bracket before `^`");
+                let help = "put the repeated argument in brackets, as in `(-1)^2`, or separate the arguments by commas to compute powers";
+                return Err(SyntaxError::new(span, message).with_help(help));
+            }
+            _ => (&expression, 1),
+        };
+        let coordinates = match self.evaluate(base)? {
+            Value::Scalar(value) => vec![value],
+            Value::Tuple(values) => values,
+        };
+        check_coordinates(&coordinates, span)?;
+        Ok((ArgumentInput { weight: Polynomial::one(), coordinates, is_homogeneous: false, span }, count))
+    }
+
+    /// `[w; t]` or `[w; u,v]`, and how often it is repeated.
+    fn homogeneous(&mut self, repeats: bool) -> Result<(ArgumentInput, u32), SyntaxError> {
+        let open = self.advance().span;
+        let weight = self.scalar()?;
+        if !self.take(TokenKind::Semicolon) {
+            return Err(self.expected("`;` behind the weight of a homogeneous argument `[w; t]`"));
+        }
+        let mut coordinates = Vec::new();
+        loop {
+            let expression = self.expression()?;
+            match self.evaluate(&expression)? {
+                Value::Scalar(value) => coordinates.push(value),
+                Value::Tuple(values) => coordinates.extend(values),
+            }
+            let separated = self.take(TokenKind::Comma);
+            if !separated && matches!(self.peek(), TokenKind::Close(_)) {
+                break;
+            }
+        }
+        let mut span = open.to(self.advance().span);
+        check_coordinates(&coordinates, span)?;
+        let mut count = 1;
+        if matches!(self.peek(), TokenKind::Power | TokenKind::Superscript) {
+            if !repeats {
+                return Err(self.expected("`,`, since arguments repeat only in a list without commas"));
+            }
+            let exponent = self.exponent()?;
+            span = span.to(exponent.span);
+            let value = self.evaluate_scalar(&exponent)?.as_rational();
+            count = value.and_then(|value| exponent_value(&value)).ok_or_else(|| SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number"))?;
+        }
+        Ok((ArgumentInput { weight, coordinates, is_homogeneous: true, span }, count))
+    }
+}
+
+fn check_coordinates(coordinates: &[Polynomial], span: Span) -> Result<(), SyntaxError> {
+    if coordinates.len() <= 2 {
+        return Ok(());
+    }
+    let error = SyntaxError::new(span, format!("found an argument with {} coordinates, expected 1 or 2", coordinates.len()));
+    Err(error.with_help("the arguments of a curve stand without brackets: `1, 2, 3`"))
+}
+
+fn check_dimensions(groups: &[Vec<ArgumentInput>]) -> Result<(), SyntaxError> {
+    let mut all = groups.iter().flatten();
+    let Some(first) = all.next() else { return Ok(()) };
+    match all.find(|argument| argument.coordinates.len() != first.coordinates.len()) {
+        None => Ok(()),
+        Some(odd) => {
+            let describe = |argument: &ArgumentInput| if argument.coordinates.len() == 1 { "a number" } else { "a point `(u,v)`" };
+            Err(SyntaxError::new(odd.span, format!("found {}, expected {} like the first argument", describe(odd), describe(first))))
+        }
+    }
+}

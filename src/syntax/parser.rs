@@ -1,0 +1,424 @@
+//! From tokens to expressions.
+
+use num_traits::Zero;
+
+use super::brackets::{partners, too_deep};
+use super::expression::{Expression, ExpressionKind};
+use super::lexer::{self, VULGAR_FRACTIONS, shorten, superscript_digits};
+use super::limits::{Budget, MAX_BITS, MAX_NESTING, number_cost};
+use super::token::{Bracket, Token, TokenKind};
+use super::{Span, SyntaxError};
+use crate::exact::{MAX_DIGITS, ParseNumberError, Rational};
+
+const FACTOR: &str = "a number, a letter or `(`";
+
+/// A cursor over the tokens of one text. The methods that read a piece of it
+/// leave the cursor behind that piece; what it is followed by is the caller's
+/// business, see [`Parser::finish`].
+pub(crate) struct Parser<'a> {
+    pub(crate) source: &'a str,
+    pub(crate) budget: Budget,
+    tokens: Vec<Token>,
+    partners: Vec<u32>,
+    at: usize,
+    latex: bool,
+    depth: usize,
+    /// Whether a blank ends an expression: in lists, outside round brackets.
+    spaced: bool,
+    /// Whether the head of a definition ends an expression.
+    definitions: bool,
+}
+
+impl<'a> Parser<'a> {
+    pub(crate) fn new(source: &'a str) -> Result<Self, SyntaxError> {
+        let tokens = lexer::tokens(source)?;
+        let partners = partners(&tokens)?;
+        let latex = lexer::is_latex(source);
+        Ok(Self { source, budget: Budget::new(), tokens, partners, at: 0, latex, depth: 0, spaced: false, definitions: false })
+    }
+
+    /// The same, with blanks ending an expression.
+    pub(crate) fn spaced(source: &'a str) -> Result<Self, SyntaxError> {
+        let mut parser = Self::new(source)?;
+        parser.spaced = true;
+        Ok(parser)
+    }
+
+    pub(crate) fn set_spaced(&mut self, spaced: bool) -> bool {
+        std::mem::replace(&mut self.spaced, spaced)
+    }
+
+    pub(crate) fn set_definitions(&mut self, definitions: bool) {
+        self.definitions = definitions;
+    }
+
+    pub(crate) fn is_latex(&self) -> bool {
+        self.latex
+    }
+
+    /// The token `ahead` of the cursor; beyond the last one, the last one.
+    pub(crate) fn token(&self, ahead: usize) -> Token {
+        let end = Span::new(self.source.len(), self.source.len());
+        let last = Token { kind: TokenKind::End, span: end, blank_before: false, break_before: false };
+        self.tokens.get(self.at + ahead).copied().unwrap_or(last)
+    }
+
+    pub(crate) fn peek(&self) -> TokenKind {
+        self.token(0).kind
+    }
+
+    pub(crate) fn at_end(&self) -> bool {
+        self.peek() == TokenKind::End
+    }
+
+    /// How many tokens there are from the bracket at the cursor up to its partner, both included; 1 for no bracket.
+    pub(crate) fn bracket_length(&self, ahead: usize) -> usize {
+        let place = self.at + ahead;
+        self.partners.get(place).map_or(1, |&partner| (partner as usize).saturating_sub(place) + 1)
+    }
+
+    pub(crate) fn advance(&mut self) -> Token {
+        let token = self.token(0);
+        if token.kind != TokenKind::End {
+            self.at += 1;
+        }
+        token
+    }
+
+    /// Passes a token of this kind if it is next.
+    pub(crate) fn take(&mut self, kind: TokenKind) -> bool {
+        let found = self.peek() == kind;
+        if found {
+            self.advance();
+        }
+        found
+    }
+
+    /// The tokens outside all brackets, from the cursor on, with their distances from it.
+    pub(crate) fn top_level(&self) -> impl Iterator<Item = (usize, Token)> + '_ {
+        let mut ahead = 0;
+        std::iter::from_fn(move || {
+            let token = self.token(ahead);
+            let place = ahead;
+            ahead += if matches!(token.kind, TokenKind::Open(_)) { self.bracket_length(ahead) } else { 1 };
+            (token.kind != TokenKind::End).then_some((place, token))
+        })
+    }
+
+    /// Whether the bracket `ahead` contains a comma that is not in a further bracket.
+    pub(crate) fn has_comma(&self, ahead: usize) -> bool {
+        let end = ahead + self.bracket_length(ahead);
+        let mut inside = ahead + 1;
+        while inside < end {
+            let token = self.token(inside);
+            match token.kind {
+                TokenKind::Comma => return true,
+                TokenKind::Open(_) => inside += self.bracket_length(inside),
+                _ => inside += 1,
+            }
+        }
+        false
+    }
+
+    /// "found …, expected …" at the cursor.
+    pub(crate) fn expected(&self, what: &str) -> SyntaxError {
+        let token = self.token(0);
+        SyntaxError::new(token.span, format!("found {}, expected {what}", self.describe(token)))
+    }
+
+    pub(crate) fn describe(&self, token: Token) -> String {
+        match token.kind {
+            TokenKind::End => "the end of the input".to_owned(),
+            _ => format!("`{}`", shorten(token.span.text(self.source))),
+        }
+    }
+
+    /// Checks that nothing is left.
+    pub(crate) fn finish(&self, what: &str) -> Result<(), SyntaxError> {
+        if self.at_end() { Ok(()) } else { Err(self.expected(what)) }
+    }
+
+    /// Checks that there is anything at all.
+    pub(crate) fn not_empty(&self, what: &str) -> Result<(), SyntaxError> {
+        let span = Span::new(0, 0);
+        if self.at_end() { Err(SyntaxError::new(span, format!("found nothing, expected {what}"))) } else { Ok(()) }
+    }
+
+    /// Whether the head of a definition is next: a name, perhaps with a bracket, and `=`.
+    pub(crate) fn at_definition(&self) -> bool {
+        if !matches!(self.peek(), TokenKind::Symbol(_)) {
+            return false;
+        }
+        let behind = match self.token(1).kind {
+            TokenKind::Open(Bracket::Round) => 1 + self.bracket_length(1),
+            _ => 1,
+        };
+        self.token(behind).kind == TokenKind::Equals
+    }
+
+    /// One level deeper, where no bracket has been counted yet.
+    fn nested<T>(&mut self, read: impl FnOnce(&mut Self) -> Result<T, SyntaxError>) -> Result<T, SyntaxError> {
+        if self.depth == MAX_NESTING {
+            return Err(too_deep(self.token(0).span));
+        }
+        self.depth += 1;
+        let result = read(self);
+        self.depth -= 1;
+        result
+    }
+
+    /// Reads a sum of products: the whole of an expression.
+    pub(crate) fn expression(&mut self) -> Result<Expression, SyntaxError> {
+        let start = self.token(0).span;
+        let negative = self.signs();
+        let first = self.product()?;
+        if !negative && !self.at_sign() {
+            return Ok(first);
+        }
+        let mut span = start.to(first.span);
+        let mut terms = vec![(negative, first)];
+        while self.at_sign() {
+            let negative = self.signs();
+            let term = self.product()?;
+            span = span.to(term.span);
+            terms.push((negative, term));
+        }
+        Ok(Expression { kind: ExpressionKind::Sum(terms), span })
+    }
+
+    /// Whether a sign is next that continues the expression.
+    fn at_sign(&self) -> bool {
+        let sign = self.token(0);
+        let begins_item = self.spaced && sign.blank_before && !self.token(1).blank_before;
+        matches!(sign.kind, TokenKind::Plus | TokenKind::Minus) && !begins_item
+    }
+
+    /// Passes signs; whether they make what follows negative.
+    fn signs(&mut self) -> bool {
+        let mut negative = false;
+        while let kind @ (TokenKind::Plus | TokenKind::Minus) = self.peek() {
+            negative ^= kind == TokenKind::Minus;
+            self.advance();
+        }
+        negative
+    }
+
+    fn product(&mut self) -> Result<Expression, SyntaxError> {
+        let first = self.power()?;
+        let mut span = first.span;
+        let mut after_tuple = matches!(first.kind, ExpressionKind::Tuple(_));
+        let mut factors = vec![(false, first)];
+        loop {
+            let token = self.token(0);
+            let divided = token.kind == TokenKind::Over;
+            let mut negative = false;
+            match token.kind {
+                TokenKind::Times | TokenKind::Over => {
+                    self.advance();
+                    negative = self.signs();
+                }
+                _ if !self.begins_factor(token) => break,
+                // In lists a blank separates, and so does the end of a point.
+                _ if self.spaced && (token.blank_before || after_tuple) => break,
+                _ if self.definitions && self.at_definition() => break,
+                _ => {}
+            }
+            let factor = self.power()?;
+            after_tuple = matches!(factor.kind, ExpressionKind::Tuple(_));
+            span = span.to(factor.span);
+            let factor = if negative { Expression { span: factor.span, kind: ExpressionKind::Sum(vec![(true, factor)]) } } else { factor };
+            factors.push((divided, factor));
+        }
+        match factors.pop() {
+            Some((false, only)) if factors.is_empty() => Ok(only),
+            Some(last) => {
+                factors.push(last);
+                Ok(Expression { kind: ExpressionKind::Product(factors), span })
+            }
+            None => Err(self.expected(FACTOR)),
+        }
+    }
+
+    fn begins_factor(&self, token: Token) -> bool {
+        match token.kind {
+            TokenKind::Number | TokenKind::Symbol(_) | TokenKind::Root | TokenKind::Fraction | TokenKind::Open(Bracket::Round) => true,
+            TokenKind::Open(Bracket::Curly) => self.latex,
+            _ => false,
+        }
+    }
+
+    fn power(&mut self) -> Result<Expression, SyntaxError> {
+        let base = self.atom()?;
+        if !matches!(self.peek(), TokenKind::Power | TokenKind::Superscript) {
+            return Ok(base);
+        }
+        let exponent = self.exponent()?;
+        if matches!(self.peek(), TokenKind::Power | TokenKind::Superscript) {
+            let (a, b) = (shorten(base.span.text(self.source)), shorten(exponent.span.text(self.source)));
+            let error = SyntaxError::new(self.token(0).span, "found a second exponent, expected brackets around a tower of powers");
+            return Err(error.with_help(format!("write `({a}^{b})^…` or `{a}^({b}^…)`")));
+        }
+        let span = base.span.to(exponent.span);
+        Ok(Expression { kind: ExpressionKind::Power(Box::new(base), Box::new(exponent)), span })
+    }
+
+    /// The exponent at the cursor, with the `^` before it.
+    pub(crate) fn exponent(&mut self) -> Result<Expression, SyntaxError> {
+        const EXPONENT: &str = "a non-negative whole number as exponent";
+        let sign = self.advance();
+        if sign.kind == TokenKind::Superscript {
+            let value = self.number_value(&superscript_digits(sign.span.text(self.source)), sign.span)?;
+            return Ok(Expression { kind: ExpressionKind::Number(value), span: sign.span });
+        }
+        let token = self.token(0);
+        match token.kind {
+            TokenKind::Number => {
+                let text = token.span.text(self.source);
+                if self.latex && text.chars().count() > 1 {
+                    let (first, rest) = text.split_at(text.chars().next().map_or(0, char::len_utf8));
+                    let message =
+                        format!("found `^{0}`, which LaTeX reads as `^{first}` followed by {rest}, expected an exponent in braces", shorten(text));
+                    let help = format!("write `^{{{}}}` or `^{first} {}`", shorten(text), shorten(rest));
+                    return Err(SyntaxError::new(sign.span.to(token.span), message).with_help(help));
+                }
+                if !text.bytes().all(|byte| byte.is_ascii_digit()) {
+                    return Err(self.expected(EXPONENT));
+                }
+                self.advance();
+                let value = self.number_value(text, token.span)?;
+                Ok(Expression { kind: ExpressionKind::Number(value), span: token.span })
+            }
+            TokenKind::Open(Bracket::Round | Bracket::Curly) => self.group(),
+            TokenKind::Minus => {
+                let number = self.token(1);
+                let shown = if number.kind == TokenKind::Number { number.span.text(self.source) } else { "" };
+                let error = SyntaxError::new(token.span.to(number.span), format!("found the exponent `-{}`, expected {EXPONENT}", shorten(shown)));
+                Err(error.with_help("only polynomials are possible here; divide by numbers with `/`"))
+            }
+            _ => Err(self.expected(EXPONENT)),
+        }
+    }
+
+    fn atom(&mut self) -> Result<Expression, SyntaxError> {
+        let token = self.token(0);
+        match token.kind {
+            TokenKind::Number => {
+                self.advance();
+                let value = self.number_value(token.span.text(self.source), token.span)?;
+                Ok(Expression { kind: ExpressionKind::Number(value), span: token.span })
+            }
+            TokenKind::Symbol(symbol) => {
+                self.advance();
+                Ok(Expression { kind: ExpressionKind::Symbol(symbol), span: token.span })
+            }
+            TokenKind::Open(Bracket::Round) => self.group(),
+            TokenKind::Open(Bracket::Curly) if self.latex => self.group(),
+            TokenKind::Open(Bracket::Square) => {
+                Err(self.expected(FACTOR).with_help("`[ ]` makes a list; round brackets group, as in `2 (t + 1)`"))
+            }
+            TokenKind::Open(Bracket::Curly) => Err(self.expected(FACTOR).with_help("round brackets group, as in `2 (t + 1)`")),
+            TokenKind::Root => {
+                self.advance();
+                if self.peek() == TokenKind::Open(Bracket::Square) {
+                    return Err(self.expected("a square root, such as `\\sqrt{2}`"));
+                }
+                let argument = self.nested(Self::argument)?;
+                let span = token.span.to(argument.span);
+                Ok(Expression { kind: ExpressionKind::Root(Box::new(argument)), span })
+            }
+            TokenKind::Fraction => {
+                self.advance();
+                let numerator = self.nested(Self::argument)?;
+                let denominator = self.nested(Self::argument)?;
+                let span = token.span.to(denominator.span);
+                // A fraction is one factor, whatever precedes it: `1/\frac{1}{2}` is 2.
+                let quotient = Expression { kind: ExpressionKind::Product(vec![(false, numerator), (true, denominator)]), span };
+                Ok(Expression { kind: ExpressionKind::Group(Box::new(quotient)), span })
+            }
+            _ => Err(self.expected(FACTOR)),
+        }
+    }
+
+    /// The argument of a root or a fraction: a bracket or, in LaTeX, one digit or letter.
+    fn argument(&mut self) -> Result<Expression, SyntaxError> {
+        let token = self.token(0);
+        let text = token.span.text(self.source);
+        // TeX takes one character of `\frac32` and of `\frac t2`, which the lexer has joined.
+        let joined = match token.kind {
+            TokenKind::Number => text.bytes().all(|byte| byte.is_ascii_digit()),
+            TokenKind::Symbol(_) => text.len() > 1 && text.bytes().skip(1).all(|byte| byte.is_ascii_digit()),
+            _ => false,
+        };
+        if !self.latex || !joined || text.len() == 1 {
+            return self.atom();
+        }
+        let span = Span::new(token.span.start, token.span.start + 1);
+        let kind = match token.kind {
+            TokenKind::Symbol(symbol) => ExpressionKind::Symbol(crate::symbolic::Symbol::new(symbol.letter(), None)),
+            _ => ExpressionKind::Number(self.number_value(span.text(self.source), span)?),
+        };
+        if let Some(rest) = self.tokens.get_mut(self.at) {
+            rest.kind = TokenKind::Number;
+            rest.span.start = span.end;
+            rest.blank_before = false;
+        }
+        Ok(Expression { kind, span })
+    }
+
+    /// A bracket, round or curly, with one expression or several.
+    fn group(&mut self) -> Result<Expression, SyntaxError> {
+        let open = self.advance();
+        let (spaced, definitions) = (self.set_spaced(false), std::mem::replace(&mut self.definitions, false));
+        let result = self.nested(|parser| parser.group_inside(open));
+        (self.spaced, self.definitions) = (spaced, definitions);
+        result
+    }
+
+    fn group_inside(&mut self, open: Token) -> Result<Expression, SyntaxError> {
+        let first = self.expression()?;
+        let mut items = Vec::new();
+        while self.peek() == TokenKind::Comma {
+            self.advance();
+            items.push(self.expression()?);
+        }
+        if !matches!(self.peek(), TokenKind::Close(_)) {
+            return Err(self.expected("an operator, `,` or a closing bracket"));
+        }
+        let span = open.span.to(self.advance().span);
+        if items.is_empty() {
+            return Ok(Expression { kind: ExpressionKind::Group(Box::new(first)), span });
+        }
+        items.insert(0, first);
+        Ok(Expression { kind: ExpressionKind::Tuple(items), span })
+    }
+
+    /// The value of an unsigned number as it is written.
+    fn number_value(&mut self, text: &str, span: Span) -> Result<Rational, SyntaxError> {
+        if let Some(&(_, numer, denom)) = VULGAR_FRACTIONS.iter().find(|entry| text.starts_with(entry.0)) {
+            return Ok(Rational::new(numer, denom));
+        }
+        // A short text can ask for a long number: 1e9999.
+        let exponent: u64 = text.split_once('e').map_or(0, |(_, exponent)| exponent.trim_start_matches(['+', '-']).parse().unwrap_or(u64::MAX));
+        let digits = (text.len() as u64).saturating_add(exponent);
+        if digits > 18 && digits <= 2 * MAX_DIGITS as u64 {
+            self.budget.spend(number_cost(digits.saturating_mul(4), false), span)?;
+        }
+        match text.parse::<Rational>() {
+            Ok(value) if value.bits() <= MAX_BITS => Ok(value),
+            Ok(_) | Err(ParseNumberError::TooLong) => {
+                Err(SyntaxError::new(span, format!("found a number with more than {MAX_DIGITS} digits, expected at most {MAX_DIGITS}")))
+            }
+            Err(ParseNumberError::Malformed | ParseNumberError::ZeroDenominator) => {
+                Err(SyntaxError::new(span, format!("found `{}`, expected a number such as 5, 0.25 or 1e-3", shorten(text))))
+            }
+        }
+    }
+}
+
+/// The value of an exponent: a non-negative whole number that fits `u32`.
+pub(crate) fn exponent_value(value: &Rational) -> Option<u32> {
+    if !value.is_integer() || *value < Rational::zero() {
+        return None;
+    }
+    u32::try_from(value.numer()).ok()
+}
