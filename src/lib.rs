@@ -14,10 +14,14 @@ mod kernel;
 
 pub mod ops;
 
+pub mod report;
+pub mod batch;
+pub mod model;
 mod scheme;
 mod segment;
 mod symbolic;
 pub mod syntax;
+
 pub use affine::*;
 pub use bernstein::*;
 pub use blossom::{check_polar_form,polar_symbol,sigma,symmetric_terms,PolarForm,PolarDefect};

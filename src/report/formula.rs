@@ -1,0 +1,136 @@
+//! Formulas in the notations that mathematics is printed in.
+
+use crate::blossom::{PolarForm, polar_symbol, symmetric_terms};
+use crate::curve::Curve;
+use crate::kernel::coefficient::Coefficient;
+use crate::symbolic::{Polynomial, Symbol};
+use crate::syntax::{Style, printer};
+
+/// How an answer is to be printed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Notation {
+    /// Text, LaTeX or Mathematica.
+    pub style: Style,
+    /// The letter of the curve's parameter.
+    pub variable: Symbol,
+    /// Decimals to add to exact numbers in text.
+    pub decimals: Option<usize>,
+    /// Whether polar forms are written out however many terms they have.
+    pub expand: bool,
+}
+
+impl Notation {
+    /// The most terms of a coordinate that are written out without being asked for.
+    pub const MAX_TERMS: usize = 64;
+    /// The most terms of a coordinate that are ever written out.
+    pub const MAX_EXPANDED_TERMS: usize = 100_000;
+
+    /// A notation with the parameter `t` and nothing added.
+    #[must_use]
+    pub fn new(style: Style) -> Self {
+        Self { style, variable: Symbol::new('t', None), decimals: None, expand: false }
+    }
+
+    pub(super) fn number<C: Coefficient>(&self, number: &C) -> String {
+        match number.as_rational() {
+            Some(number) => printer::rational(&number, self.style),
+            None => printer::polynomial(&number.clone().into(), &[], self.style),
+        }
+    }
+
+    /// A point; a point of a line is its number.
+    pub(super) fn point<C: Coefficient>(&self, point: &[C]) -> String {
+        match point {
+            [only] => self.number(only),
+            _ => printer::point(&point.iter().map(|coordinate| self.number(coordinate)).collect::<Vec<_>>(), self.style),
+        }
+    }
+
+    /// One coordinate of a curve as a polynomial in the parameter.
+    pub(super) fn coordinate<C: Coefficient>(&self, curve: &Curve<C>, index: usize) -> String {
+        let coefficients: Vec<Polynomial> = curve.coordinate(index).map(|c| c.clone().into()).collect();
+        printer::polynomial(&Polynomial::from_coefficients(self.variable, &coefficients), &[self.variable], self.style)
+    }
+
+    /// The right side of a curve's equation.
+    pub(super) fn curve<C: Coefficient>(&self, curve: &Curve<C>) -> String {
+        let coordinates: Vec<String> = (0..curve.dimension()).map(|index| self.coordinate(curve, index)).collect();
+        match coordinates.as_slice() {
+            [only] => only.clone(),
+            _ => printer::point(&coordinates, self.style),
+        }
+    }
+
+    /// Whether a coordinate of a polar form is written out.
+    pub(super) fn writes_out<C: Coefficient>(&self, polar: &PolarForm<C>, coordinate: usize) -> bool {
+        let limit = if self.expand { Self::MAX_EXPANDED_TERMS } else { Self::MAX_TERMS };
+        polar.term_count(coordinate) <= crate::exact::Rational::from(limit as i64)
+    }
+
+    /// The right side of one coordinate of a polar form, the terms grouped by
+    /// symmetric sums with the highest first.
+    pub(super) fn polar<C: Coefficient>(&self, polar: &PolarForm<C>, coordinate: usize) -> String {
+        let terms: Vec<_> = (0..=polar.degree())
+            .rev()
+            .map(|k| (polar.coefficient(coordinate, k).clone().into(), k))
+            .filter(|(coefficient, _): &(Polynomial, usize)| !coefficient.is_empty())
+            .map(|(coefficient, k)| (coefficient, symmetric_terms(polar.degree(), k)))
+            .collect();
+        printer::sum(&terms, self.style)
+    }
+
+    /// The same by the symmetric functions `σ_k` themselves, divided by the
+    /// binomial numbers, for forms of too many terms.
+    pub(super) fn polar_by_sigma<C: Coefficient>(&self, polar: &PolarForm<C>, curve_coefficients: &[C], degree: usize) -> String {
+        debug_assert_eq!(polar.degree(), degree);
+        let mut text = String::new();
+        for (k, coefficient) in curve_coefficients.iter().enumerate().rev().filter(|(_, c)| !c.is_nothing()) {
+            let coefficient: Polynomial = coefficient.clone().into();
+            let several = coefficient.len() > 1;
+            let printed = printer::polynomial(&coefficient, &[], self.style);
+            let (sign, size) = match printed.strip_prefix('-') {
+                Some(size) if !several => ("-", size.to_owned()),
+                _ if several => ("+", format!("({printed})")),
+                _ => ("+", printed),
+            };
+            let factor = match (k, self.style) {
+                (0, _) => String::new(),
+                (_, Style::Latex) => format!("\\sigma_{{{k}}} / \\binom{{{degree}}}{{{k}}}"),
+                (_, Style::Text) => format!("σ{k}/C({degree},{k})"),
+                (_, Style::Mathematica) => format!("SymmetricPolynomial[{k}, {{{}}}]/Binomial[{degree}, {k}]", self.arguments(degree)),
+            };
+            let term = match (size.as_str(), factor.is_empty()) {
+                (_, true) => size,
+                ("1", false) => factor,
+                _ => format!("{size} {factor}"),
+            };
+            text += &match (text.is_empty(), sign) {
+                (true, "-") => format!("-{term}"),
+                (true, _) => term,
+                _ => format!(" {sign} {term}"),
+            };
+        }
+        if text.is_empty() { "0".to_owned() } else { text }
+    }
+
+    /// The arguments `t1,t2,…` of a polar form.
+    pub(super) fn arguments(&self, degree: usize) -> String {
+        let separator = if self.style == Style::Text { "," } else { ", " };
+        let symbols: Vec<String> = (1..=degree).map(|index| printer::symbol(polar_symbol(index), self.style)).collect();
+        if degree <= 12 {
+            return symbols.join(separator);
+        }
+        let dots = if self.style == Style::Latex { "\\ldots" } else { "…" };
+        [symbols[0].as_str(), dots, symbols[degree - 1].as_str()].join(separator)
+    }
+
+    /// The letter of a map or polar form with the index of a coordinate, `F`
+    /// or `f_{2}`; a map to the line has no index.
+    pub(super) fn name(&self, letter: char, coordinate: usize, dimension: usize) -> String {
+        match (dimension, self.style) {
+            (1, _) => letter.to_string(),
+            (_, Style::Latex) => format!("{letter}_{{{}}}", coordinate + 1),
+            _ => format!("{letter}{}", coordinate + 1),
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! The exact cases of `tests/vectors/`, asked through `batch` and compared with `==`.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+/// The operations that this version answers.
+fn is_answered(op: &str) -> bool {
+    op.starts_with("curve.") || op == "roots.bernstein"
+}
+
+fn cases(file: &str) -> Vec<Value> {
+    let path = format!("{}/tests/vectors/{file}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let document: Value = serde_json::from_str(&text).expect("the vectors are JSON");
+    document["cases"].as_array().expect("a list of cases").clone()
+}
+
+fn answers(requests: &str) -> Vec<Value> {
+    let mut output = Vec::new();
+    casteljau::batch::run(requests.as_bytes(), &mut output).expect("reading and writing memory");
+    let text = String::from_utf8(output).expect("answers are UTF-8");
+    text.lines().map(|line| serde_json::from_str(line).expect("every answer is JSON")).collect()
+}
+
+fn check(file: &str, expected_count: usize) {
+    let cases: Vec<Value> = cases(file).into_iter().filter(|case| case["op"].as_str().is_some_and(is_answered)).collect();
+    let mut requests = String::new();
+    for case in &cases {
+        writeln!(requests, "{}", serde_json::json!({"id": case["id"], "op": case["op"], "input": case["input"]})).expect("a string");
+    }
+    let answers = answers(&requests);
+    assert_eq!(answers.len(), cases.len());
+    for (case, answer) in cases.iter().zip(&answers) {
+        assert_eq!(answer["id"], case["id"]);
+        assert_eq!(answer["op"], case["op"]);
+        assert_eq!(answer["output"], case["expect"], "{}", case["id"]);
+    }
+    assert_eq!(cases.len(), expected_count, "cases of {file} that are answered");
+}
+
+#[test]
+fn the_textbook_cases_hold() {
+    check("textbook.json", 28);
+}
+
+#[test]
+fn the_general_cases_hold() {
+    check("general.json", 184);
+}
