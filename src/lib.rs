@@ -16,6 +16,7 @@ pub mod ops;
 
 pub mod report;
 pub mod batch;
+pub mod cli;
 pub mod model;
 mod scheme;
 mod segment;

@@ -203,10 +203,8 @@ mod tests {
     #[test]
     fn order_of_the_documentation() {
         let texts: Vec<String> = {
-            let mut all: Vec<Monomial> = [(2, 0), (0, 0), (1, 1), (0, 2), (1, 0), (0, 1)]
-                .iter()
-                .map(|&(a, b)| Monomial::from_factors([(T2, b), (T1, a)]))
-                .collect();
+            let mut all: Vec<Monomial> =
+                [(2, 0), (0, 0), (1, 1), (0, 2), (1, 0), (0, 1)].iter().map(|&(a, b)| Monomial::from_factors([(T2, b), (T1, a)])).collect();
             all.sort();
             all.iter().map(ToString::to_string).collect()
         };

@@ -75,8 +75,13 @@ mod tests {
 
     #[test]
     fn order_and_text() {
-        let mut symbols =
-            [Symbol::new('u', None), Symbol::new('t', Some(10)), Symbol::new('t', Some(2)), Symbol::new('t', None), Symbol::new('λ', Some(1))];
+        let mut symbols = [
+            Symbol::new('u', None),
+            Symbol::new('t', Some(10)),
+            Symbol::new('t', Some(2)),
+            Symbol::new('t', None),
+            Symbol::new('λ', Some(1)),
+        ];
         symbols.sort();
         assert_eq!(format!("{symbols:?}"), "[t, t2, t10, u, λ1]");
     }

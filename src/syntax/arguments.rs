@@ -6,7 +6,8 @@ use super::evaluate::Value;
 use super::expression::ExpressionKind;
 use super::lexer::shorten;
 use super::limits::MAX_DEGREE;
-use super::parser::{Parser, exponent_value};
+use super::literal::exponent_value;
+use super::parser::Parser;
 use super::token::{Bracket, TokenKind};
 use super::{Span, SyntaxError};
 use crate::symbolic::Polynomial;
@@ -69,7 +70,8 @@ const ARGUMENT: &str = "an argument: a number, a point `(u,v)` or `[w; t]`";
 impl Parser<'_> {
     /// The arguments up to a semicolon or the end.
     fn arguments(&mut self) -> Result<Vec<ArgumentInput>, SyntaxError> {
-        let repeats = !self.top_level().take_while(|(_, token)| token.kind != TokenKind::Semicolon).any(|(_, token)| token.kind == TokenKind::Comma);
+        let repeats =
+            !self.top_level().take_while(|(_, token)| token.kind != TokenKind::Semicolon).any(|(_, token)| token.kind == TokenKind::Comma);
         let mut arguments = Vec::new();
         let mut after_comma = false;
         loop {
@@ -78,9 +80,16 @@ impl Parser<'_> {
                 TokenKind::End | TokenKind::Semicolon | TokenKind::Comma | TokenKind::Close(_) => return Err(self.expected(ARGUMENT)),
                 _ => {}
             }
-            let (argument, count) = if self.peek() == TokenKind::Open(Bracket::Square) { self.homogeneous(repeats)? } else { self.argument_of_polar_form(repeats)? };
+            let (argument, count) = if self.peek() == TokenKind::Open(Bracket::Square) {
+                self.homogeneous(repeats)?
+            } else {
+                self.argument_of_polar_form(repeats)?
+            };
             if arguments.len() as u64 + u64::from(count) > u64::from(MAX_DEGREE) {
-                return Err(SyntaxError::new(argument.span, format!("found more than {MAX_DEGREE} arguments, expected at most {MAX_DEGREE}")));
+                return Err(SyntaxError::new(
+                    argument.span,
+                    format!("found more than {MAX_DEGREE} arguments, expected at most {MAX_DEGREE}"),
+                ));
             }
             arguments.extend((0..count).map(|_| argument.clone()));
             after_comma = self.take(TokenKind::Comma);
@@ -95,11 +104,18 @@ impl Parser<'_> {
             ExpressionKind::Power(base, exponent) if repeats => {
                 let value = self.evaluate_scalar(exponent)?;
                 let count = value.as_rational().and_then(|value| exponent_value(&value));
-                (base.as_ref(), count.ok_or_else(|| SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number"))?)
+                (
+                    base.as_ref(),
+                    count.ok_or_else(|| {
+                        SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number")
+                    })?,
+                )
             }
             _ if repeats && expression.has_bare_power() => {
                 let shown = shorten(span.text(self.source));
-                let message = format!("found `{shown}` in a list without commas, where `x^k` repeats the argument x, expected a single letter, number or bracket before `^`");
+                let message = format!(
+                    "found `{shown}` in a list without commas, where `x^k` repeats the argument x, expected a single letter, number or bracket before `^`"
+                );
                 let help = "put the repeated argument in brackets, as in `(-1)^2`, or separate the arguments by commas to compute powers";
                 return Err(SyntaxError::new(span, message).with_help(help));
             }
@@ -142,7 +158,9 @@ impl Parser<'_> {
             let exponent = self.exponent()?;
             span = span.to(exponent.span);
             let value = self.evaluate_scalar(&exponent)?.as_rational();
-            count = value.and_then(|value| exponent_value(&value)).ok_or_else(|| SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number"))?;
+            count = value.and_then(|value| exponent_value(&value)).ok_or_else(|| {
+                SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number")
+            })?;
         }
         Ok((ArgumentInput { weight, coordinates, is_homogeneous: true, span }, count))
     }
@@ -164,6 +182,90 @@ fn check_dimensions(groups: &[Vec<ArgumentInput>]) -> Result<(), SyntaxError> {
         Some(odd) => {
             let describe = |argument: &ArgumentInput| if argument.coordinates.len() == 1 { "a number" } else { "a point `(u,v)`" };
             Err(SyntaxError::new(odd.span, format!("found {}, expected {} like the first argument", describe(odd), describe(first))))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(source: &str) -> String {
+        let argument = |argument: &ArgumentInput| {
+            let coordinates: Vec<String> = argument.coordinates.iter().map(ToString::to_string).collect();
+            let weight = if argument.is_homogeneous { format!("{};", argument.weight) } else { String::new() };
+            format!("<{weight}{}>", coordinates.join(","))
+        };
+        match parse_polar_arguments(source) {
+            Ok(arguments) => {
+                arguments.groups.iter().map(|group| group.iter().map(argument).collect::<String>()).collect::<Vec<_>>().join("|")
+            }
+            Err(error) => format!("{}: {error}", error.position(source).1),
+        }
+    }
+
+    #[test]
+    fn grammar() {
+        for (source, expected) in [
+            ("", ""),
+            ("-1,-1,3", "<-1><-1><3>"),
+            ("-1 -1 3", "<-1><-1><3>"),
+            ("1 - 2", "<-1>"),
+            ("1 -2", "<1><-2>"),
+            ("1 - 2, -3", "<-1><-3>"),
+            ("t1, t2 t3", "<t1><t2><t3>"),
+            ("r^2 s", "<r><r><s>"),
+            ("r² s", "<r><r><s>"),
+            ("2^2 1", "<2><2><1>"),
+            ("r^0 s", "<s>"),
+            ("(-1)^2 3", "<-1><-1><3>"),
+            ("(r + 1)^2", "<r + 1><r + 1>"),
+            ("(r^2) s", "<r^2><s>"),
+            ("r^2, s", "<r^2><s>"),
+            ("1/2 2/3", "<1/2><2/3>"),
+            ("(1,0) (0,1)", "<1,0><0,1>"),
+            ("(1,0),(0,1)", "<1,0><0,1>"),
+            ("(1,0)^2 (0,1)", "<1,0><1,0><0,1>"),
+            ("1,0,0; 0,1,0", "<1><0><0>|<0><1><0>"),
+            ("u^2; v^1", "<u><u>|<v>"),
+            ("r^2; u, v^2", "<r><r>|<u><v^2>"),
+            ("; 1 2", "|<1><2>"),
+            ("1;", "<1>|"),
+            ("[0; 1]", "<0;1>"),
+            ("[0; 1]^2 3", "<0;1><0;1><3>"),
+            ("[w; t] 2", "<w;t><2>"),
+            ("[w; u,v]", "<w;u,v>"),
+            ("[0; 1 -1]", "<0;1,-1>"),
+            ("[0; (1,-1)]", "<0;1,-1>"),
+            ("[0; 1]; [0; 1]", "<0;1>|<0;1>"),
+        ] {
+            assert_eq!(shown(source), expected, "{source}");
+        }
+    }
+
+    #[test]
+    fn errors() {
+        const BARE: &str =
+            "in a list without commas, where `x^k` repeats the argument x, expected a single letter, number or bracket before `^`";
+        for (source, expected) in [
+            ("1,", format!("3: found the end of the input, expected {ARGUMENT}")),
+            ("1,,2", format!("3: found `,`, expected {ARGUMENT}")),
+            ("1;2;3", "4: found `;`, expected at most two groups of arguments".to_owned()),
+            ("-1^2 3", format!("1: found `-1^2` {BARE}")),
+            ("2r^2 s", format!("1: found `2r^2` {BARE}")),
+            ("1/2^2", format!("1: found `1/2^2` {BARE}")),
+            ("r^s", "3: found `s`, expected a non-negative whole number as exponent".to_owned()),
+            ("r^(s) 1", "3: found a number of repetitions that is none, expected a small whole number".to_owned()),
+            ("r^1000000000", "1: found more than 4096 arguments, expected at most 4096".to_owned()),
+            ("1, (1,0)", "4: found a point `(u,v)`, expected a number like the first argument".to_owned()),
+            ("(1,0) 1", "7: found a number, expected a point `(u,v)` like the first argument".to_owned()),
+            ("(1,0,0)", "1: found an argument with 3 coordinates, expected 1 or 2".to_owned()),
+            ("(1,0)^2, (0,1)", "1: found a power of a point, expected a power of a single value".to_owned()),
+            ("[1, 2]", "3: found `,`, expected `;` behind the weight of a homogeneous argument `[w; t]`".to_owned()),
+            ("[0; 1]^2, 3", "7: found `^`, expected `,`, since arguments repeat only in a list without commas".to_owned()),
+            ("[0; ]", "5: found `]`, expected a number, a letter or `(`".to_owned()),
+        ] {
+            assert_eq!(shown(source), expected, "{source}");
         }
     }
 }

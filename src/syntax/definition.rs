@@ -64,7 +64,10 @@ impl Parser<'_> {
             match token.kind {
                 TokenKind::Symbol(symbol) if !after_symbol => {
                     if symbols.iter().any(|known| known.0 == symbol) {
-                        return Err(SyntaxError::new(token.span, format!("found the variable `{symbol}` twice, expected different variables")));
+                        return Err(SyntaxError::new(
+                            token.span,
+                            format!("found the variable `{symbol}` twice, expected different variables"),
+                        ));
                     }
                     symbols.push((symbol, token.span));
                     after_symbol = true;

@@ -2,12 +2,14 @@
 
 use num_traits::{One, Signed, Zero};
 
+use super::cost::{check_degree, check_digits, check_terms, too_long};
 use super::expression::{Expression, ExpressionKind};
-use super::limits::{MAX_BITS, MAX_DEGREE, MAX_TERMS, number_cost};
-use super::parser::{Parser, exponent_value};
+use super::limits::{MAX_BITS, number_cost};
+use super::literal::exponent_value;
+use super::parser::Parser;
 use super::printer::{self, Style};
 use super::{Span, SyntaxError};
-use crate::exact::{MAX_DIGITS, Rational};
+use crate::exact::Rational;
 use crate::symbolic::{Monomial, Polynomial};
 
 /// What an expression stands for.
@@ -16,16 +18,6 @@ pub(crate) enum Value {
     Scalar(Polynomial),
     /// The coordinates of a point or a vector, two or more.
     Tuple(Vec<Polynomial>),
-}
-
-/// What the cost of a multiplication depends on.
-struct Shape {
-    terms: u64,
-    /// Symbols of the longest monomial.
-    symbols: u64,
-    /// Bits of the longest coefficient over the common denominator.
-    bits: u64,
-    integers: bool,
 }
 
 impl Parser<'_> {
@@ -72,7 +64,9 @@ impl Parser<'_> {
                 collected.resize_with(values.len(), Vec::new);
                 tuple = is_tuple;
             } else if tuple != is_tuple || values.len() != collected.len() {
-                let describe = |tuple: bool, length: usize| if tuple { format!("a point with {length} coordinates") } else { "a single value".to_owned() };
+                let describe = |tuple: bool, length: usize| {
+                    if tuple { format!("a point with {length} coordinates") } else { "a single value".to_owned() }
+                };
                 let message = format!("found {} in a sum, expected {}", describe(is_tuple, values.len()), describe(tuple, collected.len()));
                 return Err(SyntaxError::new(term.span, message));
             }
@@ -124,7 +118,9 @@ impl Parser<'_> {
                     number = self.multiply_numbers(&number, &inverse(&value, factor.span)?, span)?;
                     continue;
                 }
-                Value::Tuple(_) if *divided => return Err(SyntaxError::new(factor.span, "found a point as divisor, expected a non-zero number")),
+                Value::Tuple(_) if *divided => {
+                    return Err(SyntaxError::new(factor.span, "found a point as divisor, expected a non-zero number"));
+                }
                 Value::Tuple(_) if tuple.is_some() => {
                     let error = SyntaxError::new(factor.span, "found a product of two points, expected at most one point in a product");
                     return Err(error.with_help("a list of points is separated by blanks or commas, with nothing else between"));
@@ -170,41 +166,6 @@ impl Parser<'_> {
         Ok(product)
     }
 
-    fn multiply(&mut self, a: &Polynomial, b: &Polynomial, span: Span) -> Result<Polynomial, SyntaxError> {
-        if a.is_zero() || b.is_zero() {
-            return Ok(Polynomial::zero());
-        }
-        check_degree(u64::from(a.total_degree()) + u64::from(b.total_degree()), span)?;
-        let (s, t) = (self.shape(a, span)?, self.shape(b, span)?);
-        let one = number_cost(s.bits + t.bits, s.integers && t.integers).saturating_add((s.symbols + t.symbols) / 4);
-        self.budget.spend(s.terms.saturating_mul(t.terms).saturating_mul(one), span)?;
-        let product = a * b;
-        check_terms(product.len() as u64, span)?;
-        product.terms().try_for_each(|(_, coefficient)| check_digits(coefficient, span))?;
-        Ok(product)
-    }
-
-    fn shape(&mut self, value: &Polynomial, span: Span) -> Result<Shape, SyntaxError> {
-        let (mut bits, mut symbols, mut integers) = (0, 0, true);
-        let mut denominator = Rational::one();
-        for (monomial, coefficient) in value.terms() {
-            bits = bits.max(coefficient.bits());
-            symbols = symbols.max(monomial.factors().len() as u64);
-            if !coefficient.is_integer() {
-                integers = false;
-                // The least common multiple, as long as it is worth knowing.
-                let next = coefficient.denom();
-                if (&denominator.numer() % &next).is_zero() {
-                    continue;
-                }
-                self.budget.spend(number_cost(denominator.bits() + coefficient.bits(), false), span)?;
-                denominator = Rational::from(num_integer::lcm(denominator.numer(), next));
-                check_digits(&denominator, span)?;
-            }
-        }
-        Ok(Shape { terms: value.len() as u64, symbols, bits: bits + denominator.bits(), integers })
-    }
-
     fn raise(&mut self, base: &Expression, exponent: &Expression, span: Span) -> Result<Polynomial, SyntaxError> {
         let power = self.evaluate_scalar(exponent)?;
         let Some(number) = power.as_rational() else {
@@ -212,11 +173,15 @@ impl Parser<'_> {
             return Err(SyntaxError::new(exponent.span, message));
         };
         if number.is_negative() || !number.is_integer() {
-            let message = format!("found the exponent `{}`, expected a non-negative whole number", super::lexer::shorten(&number.to_string()));
+            let message =
+                format!("found the exponent `{}`, expected a non-negative whole number", super::lexer::shorten(&number.to_string()));
             return Err(SyntaxError::new(exponent.span, message));
         }
         let Some(count) = exponent_value(&number) else {
-            return Err(SyntaxError::new(exponent.span, format!("found an exponent of {} bits, expected at most {}", number.bits(), u32::MAX)));
+            return Err(SyntaxError::new(
+                exponent.span,
+                format!("found an exponent of {} bits, expected at most {}", number.bits(), u32::MAX),
+            ));
         };
         let base = match self.evaluate(base)? {
             Value::Scalar(value) => value,
@@ -237,27 +202,6 @@ impl Parser<'_> {
         let result = base.pow(count);
         result.terms().try_for_each(|(_, coefficient)| check_digits(coefficient, span))?;
         Ok(result)
-    }
-
-    /// Counts the work of a power of a polynomial that is not constant; `count` is at most [`MAX_DEGREE`].
-    fn check_power(&mut self, base: &Polynomial, count: u32, span: Span) -> Result<(), SyntaxError> {
-        let shape = self.shape(base, span)?;
-        let bits = shape.bits.saturating_mul(u64::from(count));
-        if shape.terms <= 2 {
-            if bits.saturating_sub(u64::from(count)) > 4 * MAX_BITS {
-                return Err(too_long(span));
-            }
-            let steps = if shape.terms == 1 { 1 } else { u64::from(count) + 1 };
-            let one = number_cost(bits, shape.integers).saturating_add(shape.symbols);
-            return self.budget.spend(steps.saturating_mul(one), span);
-        }
-        check_terms(terms_of_power(base, count), span)?;
-        let mut cost = 0u64;
-        for step in 1..count {
-            let one = number_cost(shape.bits.saturating_mul(u64::from(step) + 1), shape.integers).saturating_add(shape.symbols / 2);
-            cost = cost.saturating_add(shape.terms.saturating_mul(terms_of_power(base, step)).saturating_mul(one));
-        }
-        self.budget.spend(cost, span)
     }
 
     fn root(&mut self, radicand: &Expression, span: Span) -> Result<Rational, SyntaxError> {
@@ -282,68 +226,30 @@ impl Parser<'_> {
 fn small_power(value: &Rational, exponent: u32) -> Rational {
     match exponent {
         0 => Rational::one(),
-        _ if value.is_negative() && exponent % 2 == 0 => -value,
+        _ if value.is_negative() && exponent.is_multiple_of(2) => -value,
         _ => value.clone(),
     }
-}
-
-/// An upper bound of the number of terms of a power: the number of products of
-/// terms with repetition, and the number of monomials with its degrees,
-/// whichever is less.
-fn terms_of_power(base: &Polynomial, exponent: u32) -> u64 {
-    const MANY: u64 = 1 << 40;
-    let exponent = u64::from(exponent);
-    let mut products = 1u64;
-    for k in 1..base.len() as u64 {
-        products = products.saturating_mul(exponent + k) / k;
-        if products > MANY {
-            break;
-        }
-    }
-    let mut monomials = 1u64;
-    for symbol in base.symbols() {
-        monomials = monomials.saturating_mul(u64::from(base.degree_in(symbol)) * exponent + 1);
-        if monomials > MANY {
-            break;
-        }
-    }
-    products.min(monomials)
 }
 
 /// One over the value of a divisor.
 fn inverse(value: &Polynomial, span: Span) -> Result<Rational, SyntaxError> {
     match value.as_rational() {
-        Some(number) => number.recip().ok_or_else(|| SyntaxError::new(span, "found a division by zero, expected a non-zero number as divisor")),
+        Some(number) => {
+            number.recip().ok_or_else(|| SyntaxError::new(span, "found a division by zero, expected a non-zero number as divisor"))
+        }
         None => {
             let message = format!("found a division by `{}`, expected a non-zero number as divisor", shown(value));
-            Err(SyntaxError::new(span, message).with_help("only polynomials are possible here; a rational map has its denominator as a weight"))
+            Err(SyntaxError::new(span, message)
+                .with_help("only polynomials are possible here; a rational map has its denominator as a weight"))
         }
     }
 }
 
 /// A polynomial in a message.
 fn shown(value: &Polynomial) -> String {
-    if value.len() > 8 { format!("a polynomial of {} terms", value.len()) } else { super::lexer::shorten(&printer::polynomial(value, &[], Style::Text)) }
-}
-
-fn too_long(span: Span) -> SyntaxError {
-    SyntaxError::new(span, format!("found a number with more than {MAX_DIGITS} digits, expected at most {MAX_DIGITS}"))
-}
-
-fn check_digits(value: &Rational, span: Span) -> Result<(), SyntaxError> {
-    if value.bits() <= MAX_BITS { Ok(()) } else { Err(too_long(span)) }
-}
-
-fn check_degree(degree: u64, span: Span) -> Result<(), SyntaxError> {
-    if degree <= u64::from(MAX_DEGREE) {
-        return Ok(());
+    if value.len() > 8 {
+        format!("a polynomial of {} terms", value.len())
+    } else {
+        super::lexer::shorten(&printer::polynomial(value, &[], Style::Text))
     }
-    Err(SyntaxError::new(span, format!("found a polynomial of degree {degree}, expected at most {MAX_DEGREE}")))
-}
-
-fn check_terms(terms: u64, span: Span) -> Result<(), SyntaxError> {
-    if terms <= MAX_TERMS as u64 {
-        return Ok(());
-    }
-    Err(SyntaxError::new(span, format!("found a polynomial of more than {MAX_TERMS} terms, expected at most {MAX_TERMS}")))
 }

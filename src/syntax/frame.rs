@@ -50,7 +50,11 @@ impl Parser<'_> {
             let u = self.interval(r)?;
             self.take(TokenKind::Comma);
             if self.at_end() {
-                return if self.source.trim_end().ends_with(',') && !self.is_latex() { Err(self.expected("a second interval")) } else { Ok(FrameInput::Interval(u.0, u.1)) };
+                return if self.source.trim_end().ends_with(',') && !self.is_latex() {
+                    Err(self.expected("a second interval"))
+                } else {
+                    Ok(FrameInput::Interval(u.0, u.1))
+                };
             }
             let c = self.scalar()?;
             let v = self.interval(c)?;
@@ -66,9 +70,9 @@ impl Parser<'_> {
             vertices.push(vertex(value, expression.span)?);
             span = span.to(expression.span);
         }
-        <[[Polynomial; 2]; 3]>::try_from(vertices)
-            .map(FrameInput::Triangle)
-            .map_err(|vertices| SyntaxError::new(span, format!("found {} points, expected the three vertices of a triangle", vertices.len())))
+        <[[Polynomial; 2]; 3]>::try_from(vertices).map(FrameInput::Triangle).map_err(|vertices| {
+            SyntaxError::new(span, format!("found {} points, expected the three vertices of a triangle", vertices.len()))
+        })
     }
 
     /// The rest of an interval behind its first end.
@@ -87,6 +91,56 @@ fn vertex(value: Value, span: Span) -> Result<[Polynomial; 2], SyntaxError> {
     };
     <[Polynomial; 2]>::try_from(values).map_err(|values| {
         let plural = if values.len() == 1 { "" } else { "s" };
-        SyntaxError::new(span, format!("found a vertex with {} coordinate{plural}, expected a point `(u,v)` of the parameter plane", values.len()))
+        SyntaxError::new(
+            span,
+            format!("found a vertex with {} coordinate{plural}, expected a point `(u,v)` of the parameter plane", values.len()),
+        )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(source: &str) -> String {
+        match parse_frame(source) {
+            Ok(FrameInput::Interval(r, s)) => format!("{r}..{s}"),
+            Ok(FrameInput::Rectangle([u, v])) => format!("{}..{} x {}..{}", u.0, u.1, v.0, v.1),
+            Ok(FrameInput::Triangle(vertices)) => vertices.map(|[u, v]| format!("<{u},{v}>")).concat(),
+            Err(error) => format!("{}: {error}", error.position(source).1),
+        }
+    }
+
+    #[test]
+    fn frames() {
+        for (source, expected) in [
+            ("-1..3", "-1..3"),
+            ("3..-1", "3..-1"),
+            ("-1 .. 3", "-1..3"),
+            ("0..0.5", "0..1/2"),
+            ("1/2..a+1", "1/2..a + 1"),
+            ("0..0", "0..0"),
+            ("0..1, -1..1", "0..1 x -1..1"),
+            ("0..1 -1..1", "0..1 x -1..1"),
+            ("(1,0) (0,1) (0,0)", "<1,0><0,1><0,0>"),
+            ("(1,0), (0,1), (0,0)", "<1,0><0,1><0,0>"),
+            ("(a,0)(0,1)(0,0)", "<a,0><0,1><0,0>"),
+        ] {
+            assert_eq!(shown(source), expected, "{source}");
+        }
+        for (source, expected) in [
+            ("", format!("1: found nothing, expected {FRAME}")),
+            ("[0, 1]", format!("1: found `[`, expected {FRAME}")),
+            ("0..", "4: found the end of the input, expected a number, a letter or `(`".to_owned()),
+            ("5", "2: found the end of the input, expected `..` and the other end of the interval".to_owned()),
+            ("0..1, 2", "8: found the end of the input, expected `..` and the other end of the interval".to_owned()),
+            ("0..1, 0..1, 0..1", "11: found `,`, expected the end of the rectangle".to_owned()),
+            ("(1,0) (0,1)", "1: found 2 points, expected the three vertices of a triangle".to_owned()),
+            ("(1,0) (0,1) 3", "13: found a vertex with 1 coordinate, expected a point `(u,v)` of the parameter plane".to_owned()),
+            ("(1,0,0) (0,1) (0,0)", "1: found a vertex with 3 coordinates, expected a point `(u,v)` of the parameter plane".to_owned()),
+            ("0..1,", "6: found the end of the input, expected a second interval".to_owned()),
+        ] {
+            assert_eq!(shown(source), expected, "{source}");
+        }
+    }
 }

@@ -7,7 +7,6 @@ use super::{Span, SyntaxError};
 use crate::symbolic::Symbol;
 
 const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-const SUBSCRIPTS: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
 
 /// Fractions that are one character, with their values.
 pub(crate) const VULGAR_FRACTIONS: [(char, i64, i64); 15] = [
@@ -30,7 +29,10 @@ pub(crate) const VULGAR_FRACTIONS: [(char, i64, i64); 15] = [
 
 /// The digits that a text in superscript digits stands for.
 pub(crate) fn superscript_digits(text: &str) -> String {
-    text.chars().filter_map(|c| SUPERSCRIPTS.iter().position(|&digit| digit == c)).filter_map(|digit| char::from_digit(digit as u32, 10)).collect()
+    text.chars()
+        .filter_map(|c| SUPERSCRIPTS.iter().position(|&digit| digit == c))
+        .filter_map(|digit| char::from_digit(digit as u32, 10))
+        .collect()
 }
 
 /// Whether a text is LaTeX: it contains a backslash or the sign of a math block.
@@ -50,32 +52,32 @@ pub(crate) fn tokens(source: &str) -> Result<Vec<Token>, SyntaxError> {
     Ok(lexer.tokens)
 }
 
-struct Lexer<'a> {
-    source: &'a str,
-    at: usize,
-    latex: bool,
+pub(crate) struct Lexer<'a> {
+    pub(crate) source: &'a str,
+    pub(crate) at: usize,
+    pub(crate) latex: bool,
     tokens: Vec<Token>,
     blank: bool,
     line_break: bool,
 }
 
 impl<'a> Lexer<'a> {
-    fn rest(&self) -> &'a str {
+    pub(crate) fn rest(&self) -> &'a str {
         self.source.get(self.at..).unwrap_or("")
     }
 
-    fn peek(&self) -> Option<char> {
+    pub(crate) fn peek(&self) -> Option<char> {
         self.rest().chars().next()
     }
 
-    fn skip(&mut self, matches: impl Fn(char) -> bool) -> &'a str {
+    pub(crate) fn skip(&mut self, matches: impl Fn(char) -> bool) -> &'a str {
         let rest = self.rest();
         let length = rest.find(|c| !matches(c)).unwrap_or(rest.len());
         self.at += length;
         &rest[..length]
     }
 
-    fn push(&mut self, kind: TokenKind, start: usize) {
+    pub(crate) fn push(&mut self, kind: TokenKind, start: usize) {
         let span = Span::new(start, self.at);
         self.tokens.push(Token { kind, span, blank_before: self.blank, break_before: self.line_break });
         (self.blank, self.line_break) = (false, false);
@@ -108,8 +110,8 @@ impl<'a> Lexer<'a> {
             'µ' => self.symbol('μ', start)?,
             _ if Symbol::is_letter(c) => self.symbol(c, start)?,
             '\\' => self.command(start)?,
-            '$' | '&' => (self.blank, self.line_break) = (true, self.line_break || c == '$'),
-            '~' if self.latex => self.blank = true,
+            '$' => (self.blank, self.line_break) = (true, true),
+            '&' | '~' if self.latex => self.blank = true,
             _ if SUPERSCRIPTS.contains(&c) => {
                 self.skip(|c| SUPERSCRIPTS.contains(&c));
                 self.push(TokenKind::Superscript, start);
@@ -163,7 +165,10 @@ impl<'a> Lexer<'a> {
     /// A number that begins at `start`, with a digit or with a dot before one.
     fn number(&mut self, start: usize) -> Result<(), SyntaxError> {
         let begins_with_dot = self.source.as_bytes().get(start) == Some(&b'.');
-        if begins_with_dot && !self.blank && self.tokens.last().is_some_and(|last| matches!(last.kind, TokenKind::Number | TokenKind::Symbol(_))) {
+        if begins_with_dot
+            && !self.blank
+            && self.tokens.last().is_some_and(|last| matches!(last.kind, TokenKind::Number | TokenKind::Symbol(_)))
+        {
             let text: &str = self.skip(|c| c.is_ascii_digit());
             let message = format!("found `.{text}` right behind `{}`, expected an operator or a blank", self.last_text());
             return Err(SyntaxError::new(Span::new(start, self.at), message));
@@ -223,63 +228,6 @@ impl<'a> Lexer<'a> {
         self.source.get(start..).is_some_and(|text| text.starts_with("sqrt(")) && !before.is_some_and(Symbol::is_letter)
     }
 
-    /// A letter that has just been read, and its index.
-    fn symbol(&mut self, letter: char, start: usize) -> Result<(), SyntaxError> {
-        let rest = self.rest();
-        let index_start = self.at;
-        let digits = if let Some(braced) = rest.strip_prefix("_{") {
-            let Some(length) = braced.find('}') else {
-                return Err(SyntaxError::new(Span::new(self.at + 1, self.at + 2), "found `{` without a closing `}`"));
-            };
-            self.at += length + "_{}".len();
-            braced[..length].trim().to_owned()
-        } else if rest.starts_with('_') {
-            self.at += 1;
-            let digits = self.skip(|c| c.is_ascii_digit());
-            if self.latex && digits.len() > 1 {
-                let first = &digits[..1];
-                let message = format!(
-                    "found `{letter}_{digits}`, which LaTeX reads as `{letter}_{first}` times {}, expected an index in braces",
-                    &digits[1..]
-                );
-                let help = format!("write `{letter}_{{{digits}}}` or `{letter}_{first} {}`", &digits[1..]);
-                return Err(SyntaxError::new(Span::new(start, self.at), message).with_help(help));
-            }
-            if digits.is_empty() {
-                // Takes the letter along, so that the message can quote it.
-                self.at += self.peek().map_or(0, char::len_utf8);
-            }
-            Span::new(index_start + 1, self.at).text(self.source).to_owned()
-        } else if rest.starts_with(SUBSCRIPTS) {
-            let text = self.skip(|c| SUBSCRIPTS.contains(&c));
-            text.chars()
-                .filter_map(|c| SUBSCRIPTS.iter().position(|&digit| digit == c))
-                .filter_map(|digit| char::from_digit(digit as u32, 10))
-                .collect()
-        } else {
-            self.skip(|c| c.is_ascii_digit()).to_owned()
-        };
-        let index = if self.at == index_start { None } else { Some(self.index(letter, &digits, index_start)?) };
-        self.push(TokenKind::Symbol(Symbol::new(letter, index)), start);
-        Ok(())
-    }
-
-    fn index(&self, letter: char, digits: &str, start: usize) -> Result<u32, SyntaxError> {
-        let span = Span::new(start, self.at);
-        if digits.len() > 1 && digits.starts_with('0') && digits.bytes().all(|byte| byte.is_ascii_digit()) {
-            let message = format!("found the index `{digits}` of `{letter}`, expected one without leading zeros");
-            return Err(SyntaxError::new(span, message));
-        }
-        let plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-        match digits.parse() {
-            Ok(index) if plain => Ok(index),
-            _ => {
-                let shown = shorten(digits);
-                Err(SyntaxError::new(span, format!("found the index `{shown}` of `{letter}`, expected a whole number below 2^32")))
-            }
-        }
-    }
-
     /// A LaTeX command; the backslash has been read.
     fn command(&mut self, start: usize) -> Result<(), SyntaxError> {
         let mut name = self.skip(|c| c.is_ascii_alphabetic());
@@ -313,14 +261,18 @@ impl<'a> Lexer<'a> {
                     Some(environment) if latex::is_layout(environment) => self.at += environment.len() + "{}".len(),
                     _ => {
                         let shown = shorten(environment.unwrap_or(""));
-                        let message = format!("found the environment `{shown}`, expected `split`, `aligned` or another that only lays out formulas");
+                        let message =
+                            format!("found the environment `{shown}`, expected `split`, `aligned` or another that only lays out formulas");
                         return Err(SyntaxError::new(Span::new(start, self.at), message));
                     }
                 }
                 (self.blank, self.line_break) = (true, true);
             }
             None => {
-                let message = format!("found `\\{}`, expected a LaTeX command for fractions, roots, products, brackets, spaces or Greek letters", shorten(name));
+                let message = format!(
+                    "found `\\{}`, expected a LaTeX command for fractions, roots, products, brackets, spaces or Greek letters",
+                    shorten(name)
+                );
                 return Err(SyntaxError::new(Span::new(start, self.at), message));
             }
         }
@@ -330,7 +282,9 @@ impl<'a> Lexer<'a> {
     /// The distance in `\\[2pt]`, which would otherwise begin a list.
     fn skip_row_distance(&mut self) {
         let distance = self.rest().strip_prefix('[').and_then(|rest| rest.split_once(']')).map(|(distance, _)| distance);
-        if let Some(distance) = distance.filter(|text| text.len() < 12 && ["pt", "ex", "em", "mm", "cm"].iter().any(|unit| text.ends_with(unit))) {
+        if let Some(distance) =
+            distance.filter(|text| text.len() < 12 && ["pt", "ex", "em", "mm", "cm"].iter().any(|unit| text.ends_with(unit)))
+        {
             self.at += distance.len() + "[]".len();
         }
     }

@@ -18,7 +18,7 @@ pub const MAX_TERMS: usize = 1_000_000;
 
 /// How much arithmetic one input may ask for, in units of roughly one
 /// multiplication of machine words.
-pub const MAX_WORK: u64 = 10_000_000;
+pub const MAX_WORK: u64 = 4_000_000;
 
 /// Bits of the longest number: the smallest count that holds any number of
 /// [`MAX_DIGITS`] digits. (log2 10 is a little less than 3322/1000.)
@@ -50,9 +50,14 @@ impl Budget {
     }
 }
 
-/// The cost of one operation on numbers of so many bits. A sum of fractions
-/// takes a greatest common divisor, which is quadratic.
+/// The cost of one operation on numbers of so many bits together. Beyond a
+/// machine word numbers are allocated, and a sum of fractions takes a greatest
+/// common divisor, which is quadratic.
 pub(crate) fn number_cost(bits: u64, integers: bool) -> u64 {
     let words = bits / 64;
-    if integers { 1 + words } else { 1 + words + words.saturating_mul(words) / 8 }
+    match (words, integers) {
+        (0, _) => 1,
+        (_, true) => 4 + words,
+        (_, false) => 4 + words.saturating_mul(words) / 4,
+    }
 }

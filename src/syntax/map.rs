@@ -48,7 +48,8 @@ impl MapInput {
     #[must_use]
     pub fn parameters(&self) -> Vec<Symbol> {
         let variables = self.variables.symbols();
-        let mut all: Vec<Symbol> = self.components.iter().flat_map(Polynomial::symbols).filter(|symbol| !variables.contains(symbol)).collect();
+        let mut all: Vec<Symbol> =
+            self.components.iter().flat_map(Polynomial::symbols).filter(|symbol| !variables.contains(symbol)).collect();
         all.sort_unstable();
         all.dedup();
         all
@@ -129,7 +130,8 @@ impl Parser<'_> {
                 (a, b) => a.is_none() && b.is_none(),
             };
             if !same {
-                let message = format!("found other variables behind `{}` than behind `{}`, expected the same", definition.name, sorted[0].name);
+                let message =
+                    format!("found other variables behind `{}` than behind `{}`, expected the same", definition.name, sorted[0].name);
                 return Err(SyntaxError::new(definition.name_span, message));
             }
         }
@@ -144,7 +146,10 @@ impl Parser<'_> {
         let mut spans = Vec::with_capacity(sorted.len() + 2);
         if single {
             let Variables::Surface(first, second) = variables else {
-                let error = SyntaxError::new(sorted[0].name_span, "found `z = …` in one variable, expected the graph of a function of two variables");
+                let error = SyntaxError::new(
+                    sorted[0].name_span,
+                    "found `z = …` in one variable, expected the graph of a function of two variables",
+                );
                 return Err(error.with_help("name the variables with `--vars x,y`, or write a curve as `(t, …)`"));
             };
             components.extend([Polynomial::from(first), Polynomial::from(second)]);
@@ -179,7 +184,8 @@ impl Parser<'_> {
                 }
                 Some(second) => {
                     let message = format!("found a definition of `{}` behind one of `{}`, expected a single map", second.name, first.name);
-                    Err(SyntaxError::new(second.name_span, message).with_help(format!("components are named `{letter}_1`, `{letter}_2`, …")))
+                    Err(SyntaxError::new(second.name_span, message)
+                        .with_help(format!("components are named `{letter}_1`, `{letter}_2`, …")))
                 }
                 None => Ok(sorted),
             };
@@ -196,18 +202,28 @@ impl Parser<'_> {
             _ => None,
         };
         if let Some(stranger) = definitions.iter().find(|definition| place(definition).is_none()) {
-            let message = format!("found a definition of `{}` behind one of `{}`, expected another component of the same map", stranger.name, first.name);
+            let message = format!(
+                "found a definition of `{}` behind one of `{}`, expected another component of the same map",
+                stranger.name, first.name
+            );
             return Err(SyntaxError::new(stranger.name_span, message));
         }
         sorted.sort_by_key(|definition| place(definition));
         for (definition, wanted) in sorted.iter().zip(1u32..) {
             if place(definition) != Some(wanted) {
-                let name = if coordinates { Symbol::new(COORDINATES.get(wanted as usize - 1).copied().unwrap_or('z'), None) } else { Symbol::new(letter, Some(wanted)) };
+                let name = if coordinates {
+                    Symbol::new(COORDINATES.get(wanted as usize - 1).copied().unwrap_or('z'), None)
+                } else {
+                    Symbol::new(letter, Some(wanted))
+                };
                 let repeated = place(definition).is_some_and(|place| place < wanted && place > 0);
                 let message = if repeated {
                     format!("found a second definition of `{}`, expected one", definition.name)
                 } else {
-                    format!("found a definition of `{}` but none of `{name}`, expected components numbered from 1 without a gap", definition.name)
+                    format!(
+                        "found a definition of `{}` but none of `{name}`, expected components numbered from 1 without a gap",
+                        definition.name
+                    )
                 };
                 return Err(SyntaxError::new(definition.name_span, message));
             }
@@ -271,5 +287,142 @@ fn from_slice(symbols: &[Symbol], span: Span) -> Result<Variables, SyntaxError> 
         [variable] => Ok(Variables::Curve(variable)),
         [first, second] if first != second => Ok(Variables::Surface(first, second)),
         _ => Err(SyntaxError::new(span, format!("found {} variables, expected one or two different ones", symbols.len()))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::parse_variables;
+
+    fn shown(source: &str, vars: Option<&str>) -> String {
+        let vars = vars.map(|vars| parse_variables(vars).unwrap_or_default());
+        match parse_map(source, vars.as_deref()) {
+            Ok(map) => {
+                let components: Vec<String> = map.components.iter().map(ToString::to_string).collect();
+                assert_eq!(map.components.len(), map.spans.len(), "{source}");
+                format!("{:?} {}{}", map.variables.symbols(), if map.is_point { "" } else { "bare " }, components.join(" | "))
+            }
+            Err(error) => {
+                let (line, column) = error.position(source);
+                format!("{line}:{column}: {error}")
+            }
+        }
+    }
+
+    #[test]
+    fn curves_and_surfaces() {
+        for (source, expected) in [
+            ("(t, t^2)", "[t] t | t^2"),
+            ("a t^2 + b t + c", "[t] bare a t^2 + b t + c"),
+            ("(5, 7)", "[t] 5 | 7"),
+            ("(a, b)", "[t] a | b"),
+            ("(t1, 2)", "[t] t1 | 2"),
+            ("u^2", "[u, v] bare u^2"),
+            ("(V, 1)", "[U, V] V | 1"),
+            ("(x, y, x y)", "[x, y] x | y | x y"),
+            ("(0 u, 1)", "[u, v] 0 | 1"),
+            ("F(t) = (t, t^2)", "[t] t | t^2"),
+            ("F(t) = t^2", "[t] bare t^2"),
+            ("F(r) = (r, t)", "[r] r | t"),
+            ("S(u,v) = (u, v, t)", "[u, v] u | v | t"),
+            ("S(p,q) = (p, q, u)", "[p, q] p | q | u"),
+            ("F = (t, 1)", "[t] t | 1"),
+            ("F_1(t) = t, F_2(t) = t^2", "[t] t | t^2"),
+            ("F_1(t) = t\nF_2(t) = t^2", "[t] t | t^2"),
+            ("F_2(t) = t\nF_1(t) = t^2", "[t] t^2 | t"),
+            ("f_1(t) = t,\nf_2(t) = t^2", "[t] t | t^2"),
+            (r"F_1(t) = t \qquad F_2(t) = t^2", "[t] t | t^2"),
+            (r"F_1(t) = t \\ F_2(t) = t^2", "[t] t | t^2"),
+            ("$F_1(t) = t$ $F_2(t) = t^2$", "[t] t | t^2"),
+            ("F_1(t) = t\n + 1\nF_2(t) = t^2", "[t] t + 1 | t^2"),
+            ("F_1(t) = t", "[t] t"),
+            ("F(t) = (1-t)^2 (0,0) + 2t(1-t) (1,2) + t^2 (3,4)/2", "[t] -1/2 t^2 + 2 t | -2 t^2 + 4 t"),
+            ("z = x^3 - 3xy^2", "[x, y] x | y | x^3 - 3 x y^2"),
+            ("$$z = x^3 - 3xy^2.$$", "[x, y] x | y | x^3 - 3 x y^2"),
+            ("z = u v", "[u, v] u | v | u v"),
+            ("z(u,v) = 1", "[u, v] u | v | 1"),
+            (r"\begin{aligned}x(t) &= x_1t + x_0, \\y(t) &= y_1t + y_0.\end{aligned}", "[t] t x1 + x0 | t y1 + y0"),
+        ] {
+            assert_eq!(shown(source, None), expected, "{source}");
+        }
+        for (source, vars, expected) in [
+            ("(r, t)", "r", "[r] r | t"),
+            ("(t, u)", "t", "[t] t | u"),
+            ("(p, q t)", "p,q", "[p, q] p | q t"),
+            ("z = p q", "p,q", "[p, q] p | q | p q"),
+            ("z = 1", "x,y", "[x, y] x | y | 1"),
+            ("F(r) = r", "r", "[r] bare r"),
+        ] {
+            assert_eq!(shown(source, Some(vars)), expected, "{source}");
+        }
+    }
+
+    #[test]
+    fn the_textbook_cubic_and_surface() {
+        let cubic =
+            r"$$F_1(t) = \frac{3}{4}t^2 - \frac{3}{2}t - \frac{9}{4}, \qquad F_2(t) = \frac{3}{4}t^3 - \frac{3}{2}t^2 - \frac{9}{4}t.$$";
+        assert_eq!(shown(cubic, None), "[t] 3/4 t^2 - 3/2 t - 9/4 | 3/4 t^3 - 3/2 t^2 - 9/4 t");
+        let enneper = "$$F_1(U,V) = U - \\frac{U^3}{3} + UV^2$$\n\n$$F_2(U,V) = V - \\frac{V^3}{3} + U^2V$$\n\n$$F_3(U,V) = U^2 - V^2.$$";
+        assert_eq!(shown(enneper, None), "[U, V] -1/3 U^3 + U V^2 + U | U^2 V - 1/3 V^3 + V | U^2 - V^2");
+    }
+
+    #[test]
+    fn errors() {
+        const VARIABLES: &str = "expected the variable `t` alone or one of the pairs u,v or U,V or x,y";
+        const BEHIND: &str = "expected an operator, the end of the input or another definition";
+        for (source, expected) in [
+            ("", "1:1: found nothing, expected a map such as `(t, t^2)`".to_owned()),
+            ("(t, u)", format!("1:5: found both `t` and `u`, {VARIABLES}")),
+            ("(u, x)", format!("1:5: found both `u` and `x`, {VARIABLES}")),
+            ("(U, v)", format!("1:5: found both `U` and `v`, {VARIABLES}")),
+            ("(r, r^2)", "1:2: found only the letter `r`, expected a variable: `t`, or a pair u,v or U,V or x,y".to_owned()),
+            ("t, t^2", "1:2: found `,`, expected an operator or the end of the input".to_owned()),
+            ("x = = y", "1:5: found `=`, expected a number, a letter or `(`".to_owned()),
+            ("2 = y", "1:3: found `=`, expected an operator or the end of the input".to_owned()),
+            ("y = t^2", "1:1: found `y = …` as a component, expected `F(t) = (…, …)`".to_owned()),
+            ("x(t) = t\ny(t) = t", "1:1: found `x = …` as a component, expected `F(t) = (…, …)`".to_owned()),
+            ("w = t", "1:1: found `w =`, expected `F(t) =`, `F_1(t) =` or `z =`".to_owned()),
+            ("z = t", "1:1: found `z = …` in one variable, expected the graph of a function of two variables".to_owned()),
+            ("z = (x, y)", "1:5: found a point with 2 coordinates, expected a single value".to_owned()),
+            ("F_1(t) = (t, 1)", "1:10: found a point with 2 coordinates, expected a single value".to_owned()),
+            ("F(t) = t, t^2", format!("1:11: found `t`, {BEHIND}")),
+            ("F(t) = t,", format!("1:10: found the end of the input, {BEHIND}")),
+            ("F(t) = t)", "1:9: found `)` without an opening bracket".to_owned()),
+            (
+                "F_1(t) = t F_2(t) = t",
+                "1:12: found `F_2`, expected an operator, or a line end or `,` before the next definition".to_owned(),
+            ),
+            (
+                "F_1(t) = t, F_3(t) = t",
+                "1:13: found a definition of `F3` but none of `F2`, expected components numbered from 1 without a gap".to_owned(),
+            ),
+            ("F_1(t) = t, F_1(t) = t", "1:13: found a second definition of `F1`, expected one".to_owned()),
+            (
+                "F_1(t) = t, G_2(t) = t",
+                "1:13: found a definition of `G2` behind one of `F1`, expected another component of the same map".to_owned(),
+            ),
+            ("F_1(t) = t, F_2(s) = t", "1:13: found other variables behind `F2` than behind `F1`, expected the same".to_owned()),
+            ("F(t) = t, G(t) = t", "1:11: found a definition of `G` behind one of `F`, expected a single map".to_owned()),
+            ("F(t) = t, F(t) = t", "1:11: found a second definition of `F`, expected one".to_owned()),
+            ("F(t,t) = t", "1:5: found the variable `t` twice, expected different variables".to_owned()),
+            ("F(a,b,c) = a", "1:3: found 3 variables, expected one or two different ones".to_owned()),
+            ("F() = 1", "1:3: found `)`, expected a variable".to_owned()),
+            ("F(2) = 1", "1:3: found `2`, expected a variable".to_owned()),
+        ] {
+            assert_eq!(shown(source, None), expected, "{source}");
+        }
+        assert_eq!(shown("F(t) = t", Some("r")), "1:3: found a definition in `t`, expected one in `r` as `--vars` says");
+        let help = |source: &str| parse_map(source, None).err().and_then(|error| error.help).unwrap_or_default();
+        assert!(help("(r, 1)").contains("`--vars r`"));
+        assert!(help("(t, u)").contains("`--vars"));
+        assert!(help("z = t").contains("`--vars x,y`"));
+        assert!(help("t, t^2").contains("`(…, …)`"));
+    }
+
+    #[test]
+    fn parameters() {
+        let map = parse_map("(a t^2 + b1, λ t)", None);
+        assert_eq!(map.map(|map| format!("{:?}", map.parameters())), Ok("[a, b1, λ]".to_owned()));
     }
 }

@@ -8,6 +8,7 @@
 
 mod arguments;
 mod brackets;
+mod cost;
 mod definition;
 mod error;
 mod evaluate;
@@ -15,8 +16,10 @@ mod expression;
 mod frame;
 mod input;
 mod latex;
+mod letter;
 mod lexer;
 pub mod limits;
+mod literal;
 mod map;
 mod parser;
 mod points;

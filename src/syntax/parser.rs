@@ -1,14 +1,12 @@
 //! From tokens to expressions.
 
-use num_traits::Zero;
-
 use super::brackets::{partners, too_deep};
 use super::expression::{Expression, ExpressionKind};
-use super::lexer::{self, VULGAR_FRACTIONS, shorten, superscript_digits};
-use super::limits::{Budget, MAX_BITS, MAX_NESTING, number_cost};
+use super::lexer::{self, shorten, superscript_digits};
+use super::limits::{Budget, MAX_NESTING};
 use super::token::{Bracket, Token, TokenKind};
 use super::{Span, SyntaxError};
-use crate::exact::{MAX_DIGITS, ParseNumberError, Rational};
+use crate::symbolic::Symbol;
 
 const FACTOR: &str = "a number, a letter or `(`";
 
@@ -276,8 +274,10 @@ impl<'a> Parser<'a> {
                 let text = token.span.text(self.source);
                 if self.latex && text.chars().count() > 1 {
                     let (first, rest) = text.split_at(text.chars().next().map_or(0, char::len_utf8));
-                    let message =
-                        format!("found `^{0}`, which LaTeX reads as `^{first}` followed by {rest}, expected an exponent in braces", shorten(text));
+                    let message = format!(
+                        "found `^{0}`, which LaTeX reads as `^{first}` followed by {rest}, expected an exponent in braces",
+                        shorten(text)
+                    );
                     let help = format!("write `^{{{}}}` or `^{first} {}`", shorten(text), shorten(rest));
                     return Err(SyntaxError::new(sign.span.to(token.span), message).with_help(help));
                 }
@@ -292,7 +292,8 @@ impl<'a> Parser<'a> {
             TokenKind::Minus => {
                 let number = self.token(1);
                 let shown = if number.kind == TokenKind::Number { number.span.text(self.source) } else { "" };
-                let error = SyntaxError::new(token.span.to(number.span), format!("found the exponent `-{}`, expected {EXPONENT}", shorten(shown)));
+                let error =
+                    SyntaxError::new(token.span.to(number.span), format!("found the exponent `-{}`, expected {EXPONENT}", shorten(shown)));
                 Err(error.with_help("only polynomials are possible here; divide by numbers with `/`"))
             }
             _ => Err(self.expected(EXPONENT)),
@@ -354,7 +355,7 @@ impl<'a> Parser<'a> {
         }
         let span = Span::new(token.span.start, token.span.start + 1);
         let kind = match token.kind {
-            TokenKind::Symbol(symbol) => ExpressionKind::Symbol(crate::symbolic::Symbol::new(symbol.letter(), None)),
+            TokenKind::Symbol(symbol) => ExpressionKind::Symbol(Symbol::new(symbol.letter(), None)),
             _ => ExpressionKind::Number(self.number_value(span.text(self.source), span)?),
         };
         if let Some(rest) = self.tokens.get_mut(self.at) {
@@ -391,34 +392,4 @@ impl<'a> Parser<'a> {
         items.insert(0, first);
         Ok(Expression { kind: ExpressionKind::Tuple(items), span })
     }
-
-    /// The value of an unsigned number as it is written.
-    fn number_value(&mut self, text: &str, span: Span) -> Result<Rational, SyntaxError> {
-        if let Some(&(_, numer, denom)) = VULGAR_FRACTIONS.iter().find(|entry| text.starts_with(entry.0)) {
-            return Ok(Rational::new(numer, denom));
-        }
-        // A short text can ask for a long number: 1e9999.
-        let exponent: u64 = text.split_once('e').map_or(0, |(_, exponent)| exponent.trim_start_matches(['+', '-']).parse().unwrap_or(u64::MAX));
-        let digits = (text.len() as u64).saturating_add(exponent);
-        if digits > 18 && digits <= 2 * MAX_DIGITS as u64 {
-            self.budget.spend(number_cost(digits.saturating_mul(4), false), span)?;
-        }
-        match text.parse::<Rational>() {
-            Ok(value) if value.bits() <= MAX_BITS => Ok(value),
-            Ok(_) | Err(ParseNumberError::TooLong) => {
-                Err(SyntaxError::new(span, format!("found a number with more than {MAX_DIGITS} digits, expected at most {MAX_DIGITS}")))
-            }
-            Err(ParseNumberError::Malformed | ParseNumberError::ZeroDenominator) => {
-                Err(SyntaxError::new(span, format!("found `{}`, expected a number such as 5, 0.25 or 1e-3", shorten(text))))
-            }
-        }
-    }
-}
-
-/// The value of an exponent: a non-negative whole number that fits `u32`.
-pub(crate) fn exponent_value(value: &Rational) -> Option<u32> {
-    if !value.is_integer() || *value < Rational::zero() {
-        return None;
-    }
-    u32::try_from(value.numer()).ok()
 }

@@ -190,10 +190,11 @@ impl Parser<'_> {
 
 /// A row between semicolons as a list; a list alone is the row itself.
 fn list_of_row(mut row: Vec<Item>) -> Item {
-    if row.len() == 1 && matches!(row.first(), Some(Item::List { .. })) {
-        if let Some(list) = row.pop() {
+    if let Some(list) = row.pop_if(|item| matches!(item, Item::List { .. })) {
+        if row.is_empty() {
             return list;
         }
+        row.push(list);
     }
     let span = row.iter().map(Item::span).reduce(Span::to).unwrap_or_default();
     Item::List { items: row.into_iter().map(Item::into_point).collect(), span, curly: false }
@@ -216,7 +217,10 @@ fn arrange(items: Vec<Item>) -> Result<Nesting, SyntaxError> {
                     match item {
                         Item::Point(point) => row.push(point),
                         Item::List { span, .. } => {
-                            return Err(SyntaxError::new(span, "found a list nested too deep, expected a point: a net is a list of rows of points"));
+                            return Err(SyntaxError::new(
+                                span,
+                                "found a list nested too deep, expected a point: a net is a list of rows of points",
+                            ));
                         }
                     }
                 }
@@ -244,5 +248,92 @@ fn common_dimension(input: &PointsInput) -> Result<usize, SyntaxError> {
             let found = plural(odd.coordinates.len());
             Err(SyntaxError::new(odd.span, format!("found a point with {found}, expected {} like the other points", plural(usual))))
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(point: &PointInput) -> String {
+        let coordinates: Vec<String> = point.coordinates.iter().map(ToString::to_string).collect();
+        format!("{}{}", coordinates.join(","), point.weight.as_ref().map_or(String::new(), |weight| format!(":{weight}")))
+    }
+
+    /// Points separated by blanks, rows by slashes; a bar begins each row.
+    fn shown(source: &str) -> String {
+        let row = |points: &[PointInput]| points.iter().map(point).collect::<Vec<_>>().join(" ");
+        match parse_points(source) {
+            Ok(PointsInput { nesting: Nesting::Flat(points), .. }) => row(&points),
+            Ok(PointsInput { nesting: Nesting::Rows(rows), .. }) => rows.iter().map(|points| format!("|{}", row(points))).collect(),
+            Err(error) => format!("{}: {error}", error.position(source).1),
+        }
+    }
+
+    #[test]
+    fn grammar() {
+        for (source, expected) in [
+            ("(0,0) (-4,4) (-4,-12) (0,0)", "0,0 -4,4 -4,-12 0,0"),
+            ("(0,0), (1,1),(2,2)", "0,0 1,1 2,2"),
+            ("(0,0)(1,1)", "0,0 1,1"),
+            ("[(0,0), (1,2)]", "0,0 1,2"),
+            ("[(0,0) (1,2)]", "0,0 1,2"),
+            ("[1, 3, 5]", "1 3 5"),
+            ("[1 3 -5]", "1 3 -5"),
+            ("1 3 5", "1 3 5"),
+            ("[1 - 3 5]", "-2 5"),
+            ("(1,1):2 (2,2)", "1,1:2 2,2"),
+            ("1:2 3:1/2", "1:2 3:1/2"),
+            ("(a,b/2):w (2t,t^2)", "a,1/2 b:w 2 t,t^2"),
+            ("(2 t, 3)", "2 t,3"),
+            ("2(1,0) (1,0)/2 -(1,1)", "2,0 1/2,0 -1,-1"),
+            ("(0,0) (1,1); (2,2) (3,3)", "|0,0 1,1|2,2 3,3"),
+            ("[(0,0) (1,1); (2,2) (3,3)]", "|0,0 1,1|2,2 3,3"),
+            ("[[(0,0), (1,1)], [(2,2), (3,3)]]", "|0,0 1,1|2,2 3,3"),
+            ("[(0,0), (1,1)], [(2,2), (3,3)]", "|0,0 1,1|2,2 3,3"),
+            ("[(0,0), (1,1)]; [(2,2), (3,3)]", "|0,0 1,1|2,2 3,3"),
+            ("[[1, 2], [3]]", "|1 2|3"),
+            ("[[(0,0)]]", "|0,0"),
+            ("{{0, 0, 0}, {0, 1/2, 0}}", "0,0,0 0,1/2,0"),
+            ("{{0,0},{1,1}}, {{2,2},{3,3}}", "|0,0 1,1|2,2 3,3"),
+            ("{{{0,0},{1,1}},{{2,2},{3,3}}}", "|0,0 1,1|2,2 3,3"),
+            ("{0, 1}", "0 1"),
+            ("{0, 1} {1, 2}", "0,1 1,2"),
+            ("{{0,0}:2, {1,1}}", "0,0:2 1,1"),
+            (r"\left(\frac{2}{3}, 0\right), \left(0, \frac12\right).", "2/3,0 0,1/2"),
+        ] {
+            assert_eq!(shown(source), expected, "{source}");
+        }
+    }
+
+    #[test]
+    fn errors() {
+        for (source, expected) in [
+            ("", "1: found nothing, expected points such as `(0,0) (1,2)`"),
+            ("(1,2) (3,4,5) (1,1)", "7: found a point with 3 coordinates, expected 2 coordinates like the other points"),
+            ("(1,2,3) (4,5) (1,1)", "1: found a point with 3 coordinates, expected 2 coordinates like the other points"),
+            ("(1,2) 3", "7: found a point with 1 coordinate, expected 2 coordinates like the other points"),
+            ("(1,2),", "7: found the end of the input, expected a point such as `(0,0)` or a list `[…]`"),
+            ("(1,2),,(3,4)", "7: found `,`, expected a point such as `(0,0)` or a list `[…]`"),
+            ("[]", "2: found `]`, expected a point or a number"),
+            ("[(1,2), (3,4)", "1: found `[` without a closing `]`"),
+            ("(1,2) [(3,4)]", "7: found a list between points, expected a point"),
+            ("[(3,4)] (1,2)", "9: found a point between rows, expected a list of points"),
+            ("[[[(1,2)]]]", "3: found a list nested too deep, expected a point: a net is a list of rows of points"),
+            ("(1,2);", "7: found the end of the input, expected a point such as `(0,0)` or a list `[…]`"),
+            ("[(1,2)]:2", "8: found `:`, expected a blank or `,`, since a weight belongs to a single point"),
+            ("(1,2):(3,4)", "7: found a point with 2 coordinates, expected a single value"),
+            ("(1,2) = (3,4)", "7: found `=`, expected a number, a letter or `(`"),
+            ("((1,2),3)", "2: found a point with 2 coordinates, expected a single value"),
+        ] {
+            assert_eq!(shown(source), expected, "{source}");
+        }
+    }
+
+    #[test]
+    fn places() {
+        let source = "(0,0) (1,1):2";
+        let spans = parse_points(source).map(|input| input.points().map(|point| point.span.text(source)).collect::<Vec<_>>());
+        assert_eq!(spans, Ok(vec!["(0,0)", "(1,1):2"]));
     }
 }

@@ -81,8 +81,9 @@ pub fn point(coordinates: &[String], style: Style) -> String {
 /// coefficients: `(a + b) t^2 + 1/2 b t`.
 #[must_use]
 pub fn polynomial(value: &Polynomial, main: &[Symbol], style: Style) -> String {
-    // Exponents of the main symbols, behind their sum, which decides first.
-    let mut groups: BTreeMap<(u64, Vec<u32>), Vec<(Monomial, Rational)>> = BTreeMap::new();
+    type Term = (Monomial, Rational);
+    // By the exponents of the main symbols, behind their sum, which decides first.
+    let mut groups: BTreeMap<(u64, Vec<u32>), Vec<Term>> = BTreeMap::new();
     for (monomial, coefficient) in value.terms() {
         let exponents: Vec<u32> = main.iter().map(|&symbol| monomial.degree_in(symbol)).collect();
         let total = exponents.iter().map(|&exponent| u64::from(exponent)).sum();
@@ -166,5 +167,122 @@ impl Terms {
 
     fn finish(self) -> String {
         if self.text.is_empty() { "0".to_owned() } else { self.text }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::parse_scalar;
+    use proptest::prelude::*;
+
+    const SYMBOLS: [Symbol; 6] = [
+        Symbol::new('t', None),
+        Symbol::new('u', None),
+        Symbol::new('e', Some(12)),
+        Symbol::new('t', Some(1)),
+        Symbol::new('λ', None),
+        Symbol::new('Ω', Some(0)),
+    ];
+
+    fn any_polynomial() -> impl Strategy<Value = Polynomial> {
+        let factor = (0usize..6, 0u32..13);
+        let term = (proptest::collection::vec(factor, 0..4), -30i64..30, 1i64..9);
+        proptest::collection::vec(term, 0..7).prop_map(|terms| {
+            Polynomial::from_terms(terms.into_iter().map(|(factors, numer, denom)| {
+                (Monomial::from_factors(factors.into_iter().map(|(place, power)| (SYMBOLS[place], power))), Rational::new(numer, denom))
+            }))
+        })
+    }
+
+    fn read(text: &str) -> Polynomial {
+        match parse_scalar(text) {
+            Ok(value) => value,
+            Err(error) => panic!("{text}: {error}"),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn printed_polynomials_are_read_back(value in any_polynomial(), main in 0usize..4) {
+            for style in [Style::Text, Style::Latex] {
+                let text = polynomial(&value, &SYMBOLS[..main], style);
+                prop_assert_eq!(&read(&text), &value, "{}", text);
+            }
+            prop_assert_eq!(&read(&value.to_string()), &value);
+            prop_assert_eq!(value.to_string(), polynomial(&value, &value.symbols(), Style::Text));
+        }
+
+        #[test]
+        fn printed_sums_are_read_back(parts in proptest::collection::vec((any_polynomial(), any_polynomial()), 0..4)) {
+            let terms: Vec<(Polynomial, Vec<Monomial>)> =
+                parts.into_iter().map(|(c, p)| (c, p.terms().map(|term| term.0.clone()).collect())).collect();
+            let value = terms.iter().fold(Polynomial::default(), |sum, (c, monomials)| {
+                sum + c * &Polynomial::from_terms(monomials.iter().map(|monomial| (monomial.clone(), Rational::one())))
+            });
+            for style in [Style::Text, Style::Latex] {
+                let text = sum(&terms, style);
+                prop_assert_eq!(&read(&text), &value, "{}", text);
+            }
+        }
+    }
+
+    #[test]
+    fn polynomials() {
+        let t = Symbol::new('t', None);
+        let (u, v) = (Symbol::new('u', None), Symbol::new('v', None));
+        for (source, main, text, tex) in [
+            ("0", vec![t], "0", "0"),
+            ("-9/4 t + 3/4 t^3 - 3/2 t^2", vec![t], "3/4 t^3 - 3/2 t^2 - 9/4 t", r"\frac{3}{4} t^{3} - \frac{3}{2} t^{2} - \frac{9}{4} t"),
+            ("c + b t + a t^2", vec![t], "a t^2 + b t + c", "a t^{2} + b t + c"),
+            ("(a + b) t^2 + b t/2", vec![t], "(a + b) t^2 + 1/2 b t", r"(a + b) t^{2} + \frac{1}{2} b t"),
+            ("(b - a) t + a - b", vec![t], "-(a - b) t + a - b", "-(a - b) t + a - b"),
+            ("-t^2", vec![t], "-t^2", "-t^{2}"),
+            ("-1/2", vec![t], "-1/2", r"-\frac{1}{2}"),
+            ("1", vec![t], "1", "1"),
+            ("v^2 + u v + u^2 + v^3", vec![u, v], "v^3 + u^2 + u v + v^2", "v^{3} + u^{2} + u v + v^{2}"),
+            ("λ t1 t_12", vec![], "t1 t12 λ", r"t_{1} t_{12} \lambda"),
+        ] {
+            let value = read(source);
+            assert_eq!(polynomial(&value, &main, Style::Text), text, "{source}");
+            assert_eq!(polynomial(&value, &main, Style::Latex), tex, "{source}");
+            assert_eq!(polynomial(&value, &main, Style::Mathematica), text, "{source}");
+        }
+    }
+
+    #[test]
+    fn sums() {
+        let monomials = |source: &str| -> Vec<Monomial> { read(source).terms().map(|term| term.0.clone()).collect() };
+        let form = [
+            (read("1/4"), monomials("t1 t2 + t1 t3 + t2 t3")),
+            (read("-1/2"), monomials("t1 + t2 + t3")),
+            (read("-9/4"), monomials("1")),
+            (read("0"), monomials("t1")),
+        ];
+        assert_eq!(sum(&form, Style::Text), "1/4 (t1 t2 + t1 t3 + t2 t3) - 1/2 (t1 + t2 + t3) - 9/4");
+        let text = r"\frac{1}{4} (t_{1} t_{2} + t_{1} t_{3} + t_{2} t_{3}) - \frac{1}{2} (t_{1} + t_{2} + t_{3}) - \frac{9}{4}";
+        assert_eq!(sum(&form, Style::Latex), text);
+        for (terms, expected) in [
+            (vec![("3/4", "t1 t2 t3")], "3/4 t1 t2 t3"),
+            (vec![("1", "t1 t2 t3"), ("-1", "t1 + t2")], "t1 t2 t3 - (t1 + t2)"),
+            (vec![("1/2 b", "t1 + t2"), ("c", "1")], "1/2 b (t1 + t2) + c"),
+            (vec![("a - b", "t1 + t2"), ("a + b", "1")], "(a - b) (t1 + t2) + a + b"),
+            (vec![("2", "t1"), ("1", "t1 + 1")], "2 t1 + (t1 + 1)"),
+            (vec![("0", "t1")], "0"),
+            (vec![], "0"),
+            (vec![("1", "1")], "1"),
+        ] {
+            let terms: Vec<_> = terms.into_iter().map(|(c, m)| (read(c), monomials(m))).collect();
+            assert_eq!(sum(&terms, Style::Text), expected);
+        }
+    }
+
+    #[test]
+    fn points() {
+        let half = Rational::new(-1, 2);
+        let coordinates = |style| [rational(&half, style), rational(&Rational::from(3), style)];
+        assert_eq!(point(&coordinates(Style::Text), Style::Text), "(-1/2, 3)");
+        assert_eq!(point(&coordinates(Style::Latex), Style::Latex), r"\left(-\frac{1}{2}, 3\right)");
+        assert_eq!(point(&coordinates(Style::Mathematica), Style::Mathematica), "{-1/2, 3}");
     }
 }

@@ -1,0 +1,140 @@
+//! The command line: an adaptor of the table of operations.
+
+mod arguments;
+mod command;
+mod diagnostic;
+mod read;
+mod source;
+
+use std::ffi::OsString;
+use std::io::{self, IsTerminal, Write};
+use std::process::ExitCode;
+
+use clap::ArgMatches;
+
+use crate::kernel::coefficient::Coefficient;
+use crate::ops::{Answer, Arguments, Operation, Run};
+use crate::report::{self, Notation};
+use crate::symbolic::Symbol;
+use crate::syntax::Style;
+use diagnostic::Problem;
+
+/// Runs the program on its arguments (the first is the program's name) and
+/// gives its exit status: 0 done and everything holds, 1 a question was
+/// answered no, 2 the input cannot be used.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let mut texts = Vec::new();
+    for argument in arguments {
+        match argument.into_string() {
+            Ok(text) => texts.push(text),
+            Err(argument) => {
+                eprintln!("error: the argument {} is not valid UTF-8", argument.to_string_lossy());
+                return ExitCode::from(2);
+            }
+        }
+    }
+    let program = command::program();
+    let matches = match program.clone().try_get_matches_from(arguments::separated(texts, &program)) {
+        Ok(matches) => matches,
+        Err(error) => {
+            // A closed pipe ends quietly, here as everywhere.
+            let _ = error.print();
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+    };
+    let Some((verb, matches)) = matches.subcommand() else { return ExitCode::from(2) };
+    match carry_out(verb, matches) {
+        Ok(holds) => ExitCode::from(u8::from(!holds)),
+        Err(problem) => {
+            let choice = matches.try_get_one::<String>("color").ok().flatten().map_or("auto", String::as_str);
+            let styled = match choice {
+                "always" => true,
+                "never" => false,
+                _ => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()),
+            };
+            problem.show(styled)
+        }
+    }
+}
+
+/// What a command found: `false` if a question was answered no.
+fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
+    match verb {
+        "batch" => {
+            crate::batch::run(io::stdin().lock(), io::stdout().lock()).map_err(Problem::output)?;
+            Ok(true)
+        }
+        "completions" => {
+            let mut script = Vec::new();
+            if let Some(&shell) = matches.get_one::<clap_complete::Shell>("shell") {
+                clap_complete::generate(shell, &mut command::program(), "casteljau", &mut script);
+            }
+            print(&script)?;
+            Ok(true)
+        }
+        _ => operate(verb, matches),
+    }
+}
+
+fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
+    let operation = read::selected(verb, matches)?;
+    let (arguments, notes) = read::arguments(operation, matches)?;
+    if !matches.get_flag("quiet") {
+        notes.iter().for_each(|note| eprintln!("note: {note}"));
+    }
+    if matches.get_count("verbose") > 0 {
+        eprintln!("note: this is the operation {}", operation.name);
+    }
+    match (arguments.numeric(), operation.run) {
+        (Ok(arguments), Run::Any(run, _) | Run::Numeric(run)) => finish(operation, matches, &arguments, run(&arguments)?),
+        (Err(_), Run::Any(_, run)) => finish(operation, matches, &arguments, run(&arguments)?),
+        (Err((symbol, name)), Run::Numeric(_)) => Err(read::needs_numbers(operation, symbol, name)),
+    }
+}
+
+fn finish<C: Coefficient>(
+    operation: &Operation,
+    matches: &ArgMatches,
+    arguments: &Arguments<C>,
+    answer: Answer<C>,
+) -> Result<bool, Problem> {
+    let rendered = render(matches, arguments, &answer)?;
+    match matches.try_get_one::<String>("output").ok().flatten() {
+        Some(path) => {
+            if !path.ends_with(".svg") {
+                return Err(Problem::plain(format!("pictures are written as SVG: `{path}` does not end in .svg")));
+            }
+            std::fs::write(path, &rendered).map_err(|error| Problem::plain(format!("cannot write `{path}`: {error}")))?;
+        }
+        None => print(rendered.as_bytes())?,
+    }
+    debug_assert!(answer.holds.is_none() || !operation.verb.is_empty());
+    Ok(answer.holds.unwrap_or(true))
+}
+
+fn render<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<String, Problem> {
+    let notation = |style| Notation {
+        variable: arguments.variable(),
+        decimals: matches.get_one::<u16>("decimal").map(|&places| usize::from(places)),
+        expand: matches.try_get_one::<bool>("expand").ok().flatten().copied().unwrap_or(false),
+        ..Notation::new(style)
+    };
+    let text = match matches.get_one::<String>("format").map(String::as_str) {
+        Some("json") => return Ok(format!("{}\n", report::json::output(answer)?)),
+        Some("latex") => report::latex(arguments, answer, &notation(Style::Latex)),
+        Some("mathematica") => report::mathematica(arguments, answer, &notation(Style::Mathematica)),
+        _ => report::text(arguments, answer, &notation(Style::Text)),
+    };
+    text.map_err(Problem::plain)
+}
+
+fn print(bytes: &[u8]) -> Result<(), Problem> {
+    let mut output = io::stdout().lock();
+    output.write_all(bytes).and_then(|()| output.flush()).map_err(Problem::output)
+}
+
+/// The letters of `--vars`.
+fn variables(matches: &ArgMatches) -> Result<Option<Vec<Symbol>>, Problem> {
+    let Some(text) = matches.try_get_one::<String>("vars").ok().flatten() else { return Ok(None) };
+    crate::syntax::parse_variables(text).map(Some).map_err(|error| Problem::syntax("--vars", text, error))
+}
