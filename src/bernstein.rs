@@ -53,7 +53,10 @@ impl Bernstein {
     /// [`Error::WrongShape`] if `k` is larger than the degree.
     pub fn polynomial(&self, k: usize) -> Result<Curve, Error> {
         if k > self.degree {
-            return Err(Error::WrongShape(format!("there is no Bernstein polynomial {k} of degree {}; the last is {}", self.degree, self.degree)));
+            return Err(Error::WrongShape(format!(
+                "there is no Bernstein polynomial {k} of degree {}; the last is {}",
+                self.degree, self.degree
+            )));
         }
         // Its control points are 1 at k and 0 elsewhere.
         let coordinates = (0..=self.degree).map(|i| Rational::from(i64::from(i == k))).collect();

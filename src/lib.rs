@@ -14,10 +14,10 @@ mod kernel;
 
 pub mod ops;
 
-pub mod report;
 pub mod batch;
 pub mod cli;
 pub mod model;
+pub mod report;
 mod scheme;
 mod segment;
 mod symbolic;
@@ -25,13 +25,13 @@ pub mod syntax;
 
 pub use affine::*;
 pub use bernstein::*;
-pub use blossom::{check_polar_form,polar_symbol,sigma,symmetric_terms,PolarForm,PolarDefect};
+pub use blossom::{PolarDefect, PolarForm, check_polar_form, polar_symbol, sigma, symmetric_terms};
 pub use curve::*;
 pub use error::*;
+pub use exact::{MAX_DIGITS, ParseNumberError, Rational, RealRoots, Root, RootPlace};
 pub use flatness::*;
 pub use hull::*;
+pub use kernel::coefficient::Coefficient;
 pub use scheme::*;
 pub use segment::*;
 pub use symbolic::*;
-pub use exact::{MAX_DIGITS, ParseNumberError, Rational, RealRoots, Root, RootPlace};
-pub use kernel::coefficient::Coefficient;

@@ -224,6 +224,12 @@ impl<C: Coefficient> Segment<C> {
     /// [`Error::DegenerateFrame`] if `t` is `r` or `s`; [`Error::Unsupported`]
     /// if the length of the frame is symbolic.
     pub fn split(&self, t: &C) -> Result<(Self, Self), Error> {
+        if t == self.frame.r() || t == self.frame.s() {
+            return Err(Error::DegenerateFrame(format!(
+                "{t} is an end of the frame {}: splitting there leaves one part without length",
+                self.frame
+            )));
+        }
         let left = Interval::new(self.frame.r().clone(), t.clone())?;
         let right = Interval::new(t.clone(), self.frame.s().clone())?;
         let found = self.frame.weights(&Parameter::from(t.clone()))?;

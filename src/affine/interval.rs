@@ -37,7 +37,9 @@ impl<C: Coefficient> Interval<C> {
     /// [`Error::DegenerateFrame`] if they are equal.
     pub fn new(r: C, s: C) -> Result<Self, Error> {
         if r == s {
-            return Err(Error::DegenerateFrame(format!("the frame {r}..{s} is degenerate: r and s must be different")));
+            return Err(Error::DegenerateFrame(format!(
+                "the frame {r}..{s} is degenerate: its ends must be different (either may be the larger)"
+            )));
         }
         Ok(Self { r, s })
     }

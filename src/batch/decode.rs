@@ -76,7 +76,8 @@ fn plain_list(raw: &RawValue) -> Result<Vec<&RawValue>, Fault> {
 
 /// Pairs `[t, w]`.
 fn homogeneous(raw: &RawValue) -> Result<Vec<Parameter>, Fault> {
-    points(raw).or_else(|fault| if raw.get().trim() == "[]" { Ok(Vec::new()) } else { Err(fault) })?
+    points(raw)
+        .or_else(|fault| if raw.get().trim() == "[]" { Ok(Vec::new()) } else { Err(fault) })?
         .into_iter()
         .map(|pair| match <[_; 2]>::try_from(pair) {
             Ok([t, w]) => Ok(Parameter::homogeneous(w, t)),

@@ -40,9 +40,7 @@ pub(super) fn separated(arguments: Vec<String>, program: &Command) -> Vec<String
             let mut letters = rest.chars();
             letters.next().filter(|_| letters.next().is_none())
         });
-        let is_known = |letter: char| {
-            matches!(letter, 'h' | 'V') || found.get_arguments().any(|flag| flag.get_short() == Some(letter))
-        };
+        let is_known = |letter: char| matches!(letter, 'h' | 'V') || found.get_arguments().any(|flag| flag.get_short() == Some(letter));
         match short {
             Some(letter) if is_known(letter) => {
                 let takes_value = takes_value(found, |flag| flag.get_short() == Some(letter));

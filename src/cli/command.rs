@@ -93,9 +93,8 @@ fn subcommand(verb: &'static str) -> Command {
         command = command.arg(flag(parameter));
     }
     if verb == "polar" {
-        command = command.arg(
-            Arg::new("expand").long("expand").action(ArgAction::SetTrue).help("Write out a polar form of more than 64 terms"),
-        );
+        command =
+            command.arg(Arg::new("expand").long("expand").action(ArgAction::SetTrue).help("Write out a polar form of more than 64 terms"));
     }
     if verb == "plot" {
         command = command.arg(Arg::new("output").short('o').long("output").value_name("FILE.svg").help("Write the picture to a file"));

@@ -52,11 +52,10 @@ impl Problem {
             }
             Self::Syntax { name, text, error } => {
                 let window = Window::around(text, error.span.start, error.span.end);
-                let (line, column) = error.position(text);
-                let place = format!("{name}, line {line}, column {column}");
+                let (line, _) = error.position(text);
                 let snippet = Snippet::source(window.text.as_str())
                     .line_start(line)
-                    .path(place)
+                    .path(name.as_str())
                     .annotation(AnnotationKind::Primary.span(window.start..window.end).label("here"));
                 let message = error.to_string();
                 let mut groups = vec![Level::ERROR.primary_title(message.as_str()).element(snippet)];
@@ -73,7 +72,6 @@ impl Problem {
 impl From<Error> for Problem {
     fn from(error: Error) -> Self {
         let help = match &error {
-            Error::DegenerateFrame(_) => Some("a frame r..s has two different ends; r > s is allowed"),
             Error::DegreeTooLow { .. } => Some("the polar degree can be raised with --degree, not lowered"),
             _ => None,
         };

@@ -21,8 +21,12 @@ pub(super) fn selected(verb: &str, matches: &ArgMatches) -> Result<&'static Oper
     let operation = chosen.or_else(plain).ok_or_else(|| Problem::plain(format!("there is no command `{verb}`")))?;
     for parameter in parameters(verb) {
         if is_given(matches, parameter.name) && operation.parameter(parameter.name).is_none() {
-            let with = if operation.selected_by.is_empty() { "this command alone".to_owned() } else { spelled(operation, operation.selected_by) };
-            return Err(Problem::plain(format!("--{} does not go with {with}", parameter.flag)));
+            let others = Operation::of_verb(verb).filter(|other| other.parameter(parameter.name).is_some());
+            let wanted: Vec<String> = others.map(|other| spelled(other, other.selected_by)).collect();
+            return Err(Problem::plain(match operation.selected_by {
+                "" => format!("--{} goes with {} only", parameter.flag, wanted.join(" or ")),
+                flag => format!("--{} does not go with {}", parameter.flag, spelled(operation, flag)),
+            }));
         }
     }
     Ok(operation)
@@ -68,7 +72,7 @@ pub(super) fn arguments(operation: &Operation, matches: &ArgMatches) -> Result<(
     for parameter in operation.parameters.iter().filter(|parameter| !parameter.flag.is_empty()) {
         reader.flag(parameter)?;
     }
-    reader.default_frame();
+    reader.default_frame()?;
     Ok((reader.arguments, reader.notes))
 }
 
@@ -216,7 +220,10 @@ impl Reader<'_> {
                 return Err(Problem::plain(format!("{name}: `{text}` is not affine in {}", listed(&coordinates))));
             }
             if let Some(symbol) = foreign {
-                return Err(Problem::plain(format!("{name}: `{symbol}` is not a coordinate of the input; those are {}", listed(&coordinates))));
+                return Err(Problem::plain(format!(
+                    "{name}: `{symbol}` is not a coordinate of the input; those are {}",
+                    listed(&coordinates)
+                )));
             }
             rows.push(row);
             shift.push(rest);
@@ -225,16 +232,22 @@ impl Reader<'_> {
     }
 
     /// The frame of the shape file, or a word about the default.
-    fn default_frame(&mut self) {
-        let given = self.arguments.get("frame").is_some();
-        if given || self.operation.parameter("frame").is_none() {
-            return;
+    fn default_frame(&mut self) -> Result<(), Problem> {
+        if self.operation.parameter("frame").is_none() {
+            return Ok(());
         }
-        if let Some(frame) = self.shape_frame.take() {
-            self.arguments.insert("frame", Value::Frame(frame));
-        } else if self.arguments.get("points").is_some() {
-            self.notes.push("the control points are taken over 0..1; --over r..s says otherwise".to_owned());
+        match (self.arguments.frame("frame").ok(), self.shape_frame.take()) {
+            (Some(given), Some(file)) if *given != file => {
+                return Err(Problem::plain(format!("--over {given} contradicts the frame {file} of the shape file"))
+                    .with_help("`casteljau reframe` brings the control points over another frame"));
+            }
+            (None, Some(file)) => self.arguments.insert("frame", Value::Frame(file)),
+            (None, None) if self.arguments.get("points").is_some() => {
+                self.notes.push("the control points are taken over 0..1; --over r..s says otherwise".to_owned());
+            }
+            _ => {}
         }
+        Ok(())
     }
 }
 
@@ -249,7 +262,9 @@ fn flat(input: PointsInput) -> Result<Vec<Vec<Polynomial>>, SyntaxError> {
             .into_iter()
             .map(|point| match point.weight {
                 None => Ok(point.coordinates),
-                Some(_) => Err(SyntaxError::new(point.span, "found a point with a weight, expected one without: this operation is polynomial")),
+                Some(_) => {
+                    Err(SyntaxError::new(point.span, "found a point with a weight, expected one without: this operation is polynomial"))
+                }
             })
             .collect(),
         Nesting::Rows(rows) => {

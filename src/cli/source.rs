@@ -29,7 +29,7 @@ impl Source {
                 .with_help("give it as an argument, by --input FILE, or as `-` for standard input")),
             (Some(text), None) if text == "-" => Self::read("standard input", &mut io::stdin().lock()),
             (Some(text), None) if text.ends_with(".json") => Self::open(text),
-            (Some(text), None) => Ok(Self { name: "argument".to_owned(), text: text.clone() }),
+            (Some(text), None) => Ok(Self { name: format!("<{argument}>"), text: text.clone() }),
             (None, Some(path)) => Self::open(path),
         }
     }

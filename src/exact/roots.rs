@@ -333,7 +333,13 @@ mod tests {
     #[test]
     fn simplest_fractions() {
         let q = Rational::new;
-        for (low, high, simplest) in [(q(1, 3), q(1, 2), q(2, 5)), (q(-1, 2), q(1, 3), q(0, 1)), (q(0, 1), q(1, 7), q(1, 8)), (q(5, 2), q(9, 2), q(3, 1)), (q(-7, 5), q(-1, 1), q(-4, 3))] {
+        for (low, high, simplest) in [
+            (q(1, 3), q(1, 2), q(2, 5)),
+            (q(-1, 2), q(1, 3), q(0, 1)),
+            (q(0, 1), q(1, 7), q(1, 8)),
+            (q(5, 2), q(9, 2), q(3, 1)),
+            (q(-7, 5), q(-1, 1), q(-4, 3)),
+        ] {
             assert_eq!(simplest_between(&low, &high), simplest);
         }
     }

@@ -3,7 +3,7 @@
 //! A number is a string (`"7/3"`, `"0.25"`) or a JSON number, and is never
 //! seen as a float: values are taken as raw text and read by the exact parser.
 
-use serde::de::{DeserializeOwned, IgnoredAny, MapAccess, Visitor};
+use serde::de::{DeserializeOwned, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
@@ -46,8 +46,8 @@ impl<'a> Fields<'a> {
     /// # Errors
     /// `wrong-shape` if it is not an object or names a member twice.
     pub fn of(raw: &'a RawValue, what: &str) -> Result<Self, Fault> {
-        let Members(members) =
-            serde_json::from_str(raw.get()).map_err(|_| Fault::new("wrong-shape", format!("{what} must be an object, found {}", excerpt(raw.get()))))?;
+        let Members(members) = serde_json::from_str(raw.get())
+            .map_err(|_| Fault::new("wrong-shape", format!("{what} must be an object, found {}", excerpt(raw.get()))))?;
         for (index, (name, _)) in members.iter().enumerate() {
             if members[..index].iter().any(|(earlier, _)| earlier == name) {
                 return Err(Fault::new("wrong-shape", format!("{what} has `{}` twice", excerpt(name))));
@@ -187,14 +187,7 @@ pub fn points(raw: &RawValue) -> Result<Vec<Vec<Rational>>, Fault> {
         return Err(Fault::new("wrong-shape", "expected at least one point with at least one coordinate"));
     }
     match points.iter().position(|point| point.len() != dimension) {
-        Some(odd) => {
-            Err(Fault::new("wrong-count", format!("point {odd} has {} coordinates, point 0 has {dimension}", points[odd].len())))
-        }
+        Some(odd) => Err(Fault::new("wrong-count", format!("point {odd} has {} coordinates, point 0 has {dimension}", points[odd].len()))),
         None => Ok(points),
     }
-}
-
-/// Whether a text is well-formed JSON.
-pub(crate) fn is_json(text: &str) -> bool {
-    serde_json::from_str::<IgnoredAny>(text).is_ok()
 }

@@ -32,7 +32,10 @@ pub fn read_shape(text: &str) -> Result<ShapeFile, Fault> {
     let fields = Fields::of(raw, "a shape")?;
     let kind: String = plain(fields.require("kind", "a shape")?, "the name of a kind")?;
     if kind != "curve" {
-        return Err(Fault::new("unsupported", format!("shapes of kind `{}` are not supported here; `curve` is", super::json::excerpt(&kind))));
+        return Err(Fault::new(
+            "unsupported",
+            format!("shapes of kind `{}` are not supported here; `curve` is", super::json::excerpt(&kind)),
+        ));
     }
     fields.only(&["kind", "degree", "frame", "points", "name"], what)?;
     let control = points(fields.require("points", what)?)?;

@@ -153,7 +153,8 @@ impl Arguments<Polynomial> {
     pub fn numeric(&self) -> Result<Arguments<Rational>, (Symbol, &'static str)> {
         let mut numeric = Arguments::default();
         for (name, value) in &self.values {
-            let converted = convert(value, &mut |number| number.as_rational().ok_or_else(|| number.symbols()[0])).map_err(|symbol| (symbol, *name))?;
+            let converted =
+                convert(value, &mut |number| number.as_rational().ok_or_else(|| number.symbols()[0])).map_err(|symbol| (symbol, *name))?;
             numeric.insert(name, converted);
         }
         Ok(numeric)
@@ -176,7 +177,10 @@ fn convert<A: Coefficient, B: Coefficient, E>(value: &Value<A>, number: &mut imp
         Value::Points(points) => Value::Points(points.iter().map(|point| list(point)).collect::<Result<_, E>>()?),
         Value::Frame(frame) => Value::Frame(frame.map(number)?),
         Value::Arguments(arguments) => Value::Arguments(
-            arguments.iter().map(|argument| Ok(Parameter::homogeneous(number(&argument.w)?, number(&argument.t)?))).collect::<Result<_, E>>()?,
+            arguments
+                .iter()
+                .map(|argument| Ok(Parameter::homogeneous(number(&argument.w)?, number(&argument.t)?)))
+                .collect::<Result<_, E>>()?,
         ),
         Value::Curve(curve) => Value::Curve(curve.map(number)?),
         Value::Map(map) => Value::Map(map.map(number)?),

@@ -90,7 +90,7 @@ pub(super) fn derivative<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C>
     let derivative = arguments.curve()?.derivative(arguments.count("order").copied().unwrap_or(1));
     Ok(Answer::new(vec![match arguments.number("t") {
         Ok(t) => ("value", Value::Point(derivative.value(t))),
-        Err(_) => ("curve", Value::Curve(derivative)),
+        Err(_) => ("derivative", Value::Curve(derivative)),
     }]))
 }
 

@@ -142,7 +142,11 @@ pub const OPERATIONS: &[Operation] = &[
         selected_by: "args",
         doc: "A polar value at homogeneous arguments",
         example: "casteljau polar 't^3' --at '1 2 [0; 1]'",
-        parameters: &[CURVE, DEGREE, required("args", Kind::HomogeneousArguments, "at", "the value at these arguments, such as '-1 -1 3', '2^2 1' or '1 2 [0; 1]'")],
+        parameters: &[
+            CURVE,
+            DEGREE,
+            required("args", Kind::HomogeneousArguments, "at", "the value at these arguments, such as '-1 -1 3', '2^2 1' or '1 2 [0; 1]'"),
+        ],
         run: Run::Any(curve::blossom_homogeneous, curve::blossom_homogeneous),
     },
     Operation {
@@ -196,7 +200,13 @@ pub const OPERATIONS: &[Operation] = &[
         selected_by: "steps",
         doc: "De Casteljau's algorithm step by step",
         example: "casteljau eval '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1 --steps",
-        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, AT, optional("steps", Kind::Flag, "steps", "all intermediate points with their polar labels")],
+        parameters: &[
+            EITHER_CURVE,
+            EITHER_POINTS,
+            OVER,
+            AT,
+            optional("steps", Kind::Flag, "steps", "all intermediate points with their polar labels"),
+        ],
         run: Run::Any(curve::casteljau, curve::casteljau),
     },
     Operation {

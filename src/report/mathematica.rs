@@ -55,6 +55,8 @@ fn expression<C: Coefficient>(value: &Value<C>, arguments: &Arguments<C>, notati
         Value::Record(fields) => list(&all(&fields.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>())?),
         Value::Word(word) => format!("\"{word}\""),
         Value::Document(text) => format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"")),
-        Value::Nothing | Value::Arguments(_) | Value::Map(_) | Value::Expressions(_) | Value::Variable(_) | Value::Defects(_) => "Null".to_owned(),
+        Value::Nothing | Value::Arguments(_) | Value::Map(_) | Value::Expressions(_) | Value::Variable(_) | Value::Defects(_) => {
+            "Null".to_owned()
+        }
     })
 }

@@ -46,7 +46,11 @@ fn field<C: Coefficient>(
         Value::Curve(curve) => {
             let variable = crate::syntax::printer::symbol(notation.variable, notation.style);
             for coordinate in 0..curve.dimension() {
-                lines.push(format!("{}({variable}) &= {}", notation.name('F', coordinate, curve.dimension()), notation.coordinate(curve, coordinate)));
+                lines.push(format!(
+                    "{}({variable}) &= {}",
+                    notation.name('F', coordinate, curve.dimension()),
+                    notation.coordinate(curve, coordinate)
+                ));
             }
         }
         Value::Net(segment) | Value::Piece(segment) => net(segment, notation, lines),

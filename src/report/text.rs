@@ -38,7 +38,9 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Truth(truth) => self.truth(name, &title, *truth),
             Value::Count(count) => self.lines.push(format!("{title}: {count}")),
             Value::Word(word) => self.lines.push(format!("{title}: {word}")),
-            Value::Number(number) => self.lines.push(format!("{title}: {}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number)))),
+            Value::Number(number) => {
+                self.lines.push(format!("{title}: {}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number))))
+            }
             Value::Numbers(numbers) => self.numbers(name, &title, numbers),
             Value::Point(point) => {
                 let heading = self.heading(name).unwrap_or(title);
@@ -72,7 +74,12 @@ impl<C: Coefficient> Page<'_, C> {
                     let body = if self.notation.writes_out(polar, coordinate) {
                         self.notation.polar(polar, coordinate)
                     } else if self.notation.expand {
-                        return Err(format!("coordinate {} has {} terms; at most {} are written out", coordinate + 1, polar.term_count(coordinate), Notation::MAX_EXPANDED_TERMS));
+                        return Err(format!(
+                            "coordinate {} has {} terms; at most {} are written out",
+                            coordinate + 1,
+                            polar.term_count(coordinate),
+                            Notation::MAX_EXPANDED_TERMS
+                        ));
                     } else {
                         by_sigma = true;
                         let coefficients: Vec<C> = curve.coordinate(coordinate).cloned().collect();
@@ -93,7 +100,8 @@ impl<C: Coefficient> Page<'_, C> {
                 }
             }
             Value::Record(fields) => {
-                let parts: Vec<String> = fields.iter().map(|(name, value)| format!("{} {}", name.replace('_', " "), self.inline(value))).collect();
+                let parts: Vec<String> =
+                    fields.iter().map(|(name, value)| format!("{} {}", name.replace('_', " "), self.inline(value))).collect();
                 self.lines.push(format!("{title}: {}", parts.join(", ")));
             }
             Value::Nothing | Value::Arguments(_) | Value::Map(_) | Value::Expressions(_) | Value::Variable(_) => {}
@@ -118,7 +126,7 @@ impl<C: Coefficient> Page<'_, C> {
                 }
                 _ => None,
             },
-            ("curve", None) if self.arguments.get("order").is_some() => Some(format!("F{prime}({})", self.notation.variable)),
+            ("derivative", None) => Some(format!("F{prime}({})", self.notation.variable)),
             _ => None,
         }
     }
@@ -191,10 +199,17 @@ impl<C: Coefficient> Page<'_, C> {
     /// The triangular scheme: a column a step, each point between the two it comes from.
     fn scheme(&mut self, scheme: &Scheme<C>) {
         let degree = scheme.degree();
-        let cell = |i: usize, j: usize| format!("{} = {}{}", scheme.label(i, j), self.notation.point(scheme.get(i, j)), self.approximately(scheme.get(i, j)));
+        let cell = |i: usize, j: usize| {
+            format!("{} = {}{}", scheme.label(i, j), self.notation.point(scheme.get(i, j)), self.approximately(scheme.get(i, j)))
+        };
         let columns: Vec<Vec<String>> = (0..=degree).map(|j| (0..=degree - j).map(|i| cell(i, j)).collect()).collect();
         let widths: Vec<usize> = columns.iter().map(|column| column.iter().map(|text| text.chars().count()).max().unwrap_or(0)).collect();
-        let frame = format!("r = {}, s = {}, t = {}", self.notation.number(scheme.frame().r()), self.notation.number(scheme.frame().s()), self.notation.number(scheme.parameter()));
+        let frame = format!(
+            "r = {}, s = {}, t = {}",
+            self.notation.number(scheme.frame().r()),
+            self.notation.number(scheme.frame().s()),
+            self.notation.number(scheme.parameter())
+        );
         self.lines.push(frame);
         if widths.iter().sum::<usize>() > 160 {
             // Too wide for a triangle: one step after the other.
@@ -244,6 +259,19 @@ impl<C: Coefficient> Page<'_, C> {
         match value {
             Value::Record(fields) => {
                 let get = |name: &str| fields.iter().find(|(key, _)| *key == name).map(|(_, value)| value);
+                if let Some(Value::Count(multiplicity)) = get("multiplicity") {
+                    let letter = self.notation.variable;
+                    let place = match (get("t"), get("between")) {
+                        (Some(exact), _) => format!("{letter} = {}", self.inline(exact)),
+                        (_, Some(Value::Numbers(ends))) if ends.len() == 2 => {
+                            format!("{} < {letter} < {}", self.notation.number(&ends[0]), self.notation.number(&ends[1]))
+                        }
+                        _ => String::new(),
+                    };
+                    let times = if *multiplicity > 1 { format!(" ({multiplicity} times)") } else { String::new() };
+                    self.lines.push(format!("{place}{times}"));
+                    return Ok(());
+                }
                 match (get("index"), get("polynomial")) {
                     (Some(Value::Count(index)), Some(Value::Curve(curve))) => {
                         let mut line = format!("B{index}({}) = {}", self.notation.variable, self.notation.curve(curve));
@@ -252,12 +280,18 @@ impl<C: Coefficient> Page<'_, C> {
                             line += &format!(", largest at {} where it is {}", parts[0], parts[1]);
                         }
                         if let (Some(Value::Number(value)), Ok(t)) = (get("value"), self.arguments.number("t")) {
-                            line += &format!(", B{index}({}) = {}{}", self.notation.number(t), self.notation.number(value), self.approximately(std::slice::from_ref(value)));
+                            line += &format!(
+                                ", B{index}({}) = {}{}",
+                                self.notation.number(t),
+                                self.notation.number(value),
+                                self.approximately(std::slice::from_ref(value))
+                            );
                         }
                         self.lines.push(line);
                     }
                     _ => {
-                        let parts: Vec<String> = fields.iter().map(|(name, value)| format!("{} {}", name.replace('_', " "), self.inline(value))).collect();
+                        let parts: Vec<String> =
+                            fields.iter().map(|(name, value)| format!("{} {}", name.replace('_', " "), self.inline(value))).collect();
                         self.lines.push(parts.join(", "));
                     }
                 }
@@ -272,7 +306,9 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Number(number) => format!("{}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number))),
             Value::Point(point) => format!("{}{}", self.notation.point(point), self.approximately(point)),
             Value::Count(count) => count.to_string(),
-            Value::Numbers(numbers) => numbers.iter().map(|number| self.inline(&Value::Number(number.clone()))).collect::<Vec<_>>().join(" and "),
+            Value::Numbers(numbers) => {
+                numbers.iter().map(|number| self.inline(&Value::Number(number.clone()))).collect::<Vec<_>>().join(" and ")
+            }
             _ => String::new(),
         }
     }
