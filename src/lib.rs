@@ -1,9 +1,58 @@
-//! casteljau
-mod affine;
+//! The exact polynomial and blossoming toolkit.
+//!
+//! Polynomial curves with rational (or symbolic) coefficients go in as
+//! equations; out come their polar forms, control points over any frame,
+//! subdivisions and worked steps, exact to the last digit, and back.
+//!
+//! **Everything is the polar form read at other arguments.** A point is
+//! `f(t,…,t)`; a control point `f(r,…,r,s,…,s)`; a half of a subdivided curve
+//! `f(r^{m-i} t^i)`; a new frame, the same with new vertices; a derivative,
+//! arguments that are vectors.
+//!
+//! ```
+//! use casteljau::{Curve, Interval, Rational};
+//!
+//! // F(t) = (t, t^2), over the frame -1..3
+//! let integer = |n: i64| Rational::from(n);
+//! let curve = Curve::new(vec![vec![integer(0), integer(1)], vec![integer(0), integer(0), integer(1)]])?;
+//! let segment = curve.segment(&Interval::new(integer(-1), integer(3))?)?;
+//! assert_eq!(segment.point(1), [integer(1), integer(-3)]); // f(r,s) = ((-1+3)/2, -1·3)
+//!
+//! // De Casteljau's algorithm with all its steps, and the equation back.
+//! let scheme = segment.scheme(&Rational::new(1, 2))?;
+//! assert_eq!(scheme.point(), [Rational::new(1, 2), Rational::new(1, 4)]);
+//! assert!(segment.curve()?.same_map(&curve));
+//! # Ok::<(), casteljau::Error>(())
+//! ```
+//!
+//! # Layers
+//!
+//! Imports point downward only; a test holds that.
+//!
+//! | layer | what it holds |
+//! |---|---|
+//! | `main`, [`cli`], [`batch`] | adaptors: arguments, files, exit status; requests a line |
+//! | [`ops`] | one table of operations, whoever asks |
+//! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
+//! | [`value`], [`model`] | what operations take and give; shapes in files |
+//! | `curve`, `segment`, `scheme`, `bernstein`, `hull`, `flatness`, `blossom`, `matrix` | the nouns |
+//! | `affine` | frames, homogeneous parameters, affine maps |
+//! | `kernel` | nets and forms over any ring, and the width of its integers |
+//! | [`syntax`] | the grammar and its printers |
+//! | `symbolic` | symbols, monomials, polynomials |
+//! | `exact` | rational numbers, decimals, gcds, roots |
+//! | `error` | what can be wrong with a request |
+//!
+//! The library without the default feature `cli` has no command line, no JSON
+//! and none of the packages these need.
 
+mod affine;
+#[cfg(feature = "cli")]
+pub mod batch;
 mod bernstein;
 mod blossom;
-
+#[cfg(feature = "cli")]
+pub mod cli;
 mod curve;
 pub mod draw;
 mod error;
@@ -11,27 +60,26 @@ mod exact;
 mod flatness;
 mod hull;
 mod kernel;
-
-pub mod ops;
-
-pub mod batch;
-pub mod cli;
+mod matrix;
+#[cfg(feature = "cli")]
 pub mod model;
+pub mod ops;
 pub mod report;
 mod scheme;
 mod segment;
 mod symbolic;
 pub mod syntax;
+pub mod value;
 
-pub use affine::*;
-pub use bernstein::*;
+pub use affine::{AffineMap, Interval, Parameter};
+pub use bernstein::Bernstein;
 pub use blossom::{PolarDefect, PolarForm, check_polar_form, polar_symbol, sigma, symmetric_terms};
-pub use curve::*;
-pub use error::*;
+pub use curve::Curve;
+pub use error::Error;
 pub use exact::{MAX_DIGITS, ParseNumberError, Rational, RealRoots, Root, RootPlace};
-pub use flatness::*;
-pub use hull::*;
+pub use flatness::Flattening;
+pub use hull::{ConvexHull, bounding_box};
 pub use kernel::coefficient::Coefficient;
-pub use scheme::*;
-pub use segment::*;
-pub use symbolic::*;
+pub use scheme::{Scheme, polar_label};
+pub use segment::{Reduction, Segment};
+pub use symbolic::{Monomial, Polynomial, Symbol};

@@ -5,8 +5,9 @@ use serde_json::value::RawValue;
 use crate::affine::{AffineMap, Parameter};
 use crate::curve::Curve;
 use crate::model::{Fault, Fields, count, frame, number, numbers, plain, points};
-use crate::ops::{Arguments, Kind, Operation, Value};
+use crate::ops::{Kind, Operation};
 use crate::syntax::{self, SyntaxError};
+use crate::value::{Arguments, Value};
 
 /// The arguments of an operation from its `input` object.
 pub(super) fn arguments(operation: &Operation, input: &RawValue) -> Result<Arguments, Fault> {

@@ -13,10 +13,11 @@ use std::process::ExitCode;
 use clap::ArgMatches;
 
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::{Answer, Arguments, Operation, Run};
+use crate::ops::{Operation, Run};
 use crate::report::{self, Notation};
 use crate::symbolic::Symbol;
 use crate::syntax::Style;
+use crate::value::{Answer, Arguments};
 use diagnostic::Problem;
 
 /// Runs the program on its arguments (the first is the program's name) and

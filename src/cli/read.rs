@@ -9,10 +9,11 @@ use super::variables;
 use crate::affine::{AffineMap, Interval, Parameter as PolarParameter};
 use crate::curve::Curve;
 use crate::model::read_shape;
-use crate::ops::{Arguments, Kind, Operation, Parameter, Value};
+use crate::ops::{Kind, Operation, Parameter};
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::limits::MAX_DEGREE;
 use crate::syntax::{self, FrameInput, Input, Nesting, PointsInput, SyntaxError, Variables};
+use crate::value::{Arguments, Value};
 
 /// The operation that a command means, by the flags that are given.
 pub(super) fn selected(verb: &str, matches: &ArgMatches) -> Result<&'static Operation, Problem> {

@@ -1,5 +1,21 @@
 //! Pictures.
+//!
+//! Curves are drawn as SVG that needs nothing else. Whatever decides where a
+//! point lies is computed exactly; floats are used only for the coordinates of
+//! ink, after the bounding box has been mapped to the paper.
 
+mod axes;
+mod bezier;
+mod caption;
 mod curve;
+mod label;
+mod mark;
+mod number;
+mod scene;
+mod space;
+mod style;
+mod svg;
+mod ticks;
+mod view;
 
 pub use curve::CurvePicture;

@@ -1,15 +1,19 @@
 //! Operations on curves, for numbers and for symbolic parameters alike.
 
-use super::arguments::Arguments;
-use super::value::{Answer, Value};
 use crate::blossom::check_polar_form;
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
+use crate::value::{Answer, Arguments, Value};
 
 type Outcome<C> = Result<Answer<C>, Error>;
 
 pub(super) fn polar<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    Ok(Answer::new(vec![("maps", Value::Polar(arguments.curve()?.polar()))]))
+    let curve = arguments.curve()?;
+    let mut fields = vec![("maps", Value::Polar(curve.polar()))];
+    if let Ok(frame) = arguments.frame("frame") {
+        fields.push(("points", Value::Net(curve.segment(frame)?)));
+    }
+    Ok(Answer::new(fields))
 }
 
 pub(super) fn blossom<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {

@@ -1,9 +1,8 @@
 //! Operations on what encloses and approximates a curve.
 
-use super::arguments::Arguments;
-use super::value::{Answer, Value};
 use crate::error::Error;
 use crate::hull::{ConvexHull, bounding_box};
+use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn hull(arguments: &Arguments) -> Result<Answer, Error> {
     let segment = arguments.segment()?;

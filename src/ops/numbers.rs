@@ -2,13 +2,12 @@
 
 use num_traits::{Signed, Zero};
 
-use super::arguments::Arguments;
-use super::value::{Answer, Value};
 use crate::bernstein::Bernstein;
 use crate::blossom;
 use crate::error::Error;
 use crate::exact::{RealRoots, Root, RootPlace};
 use crate::kernel::coefficient::Coefficient;
+use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn sigma<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>, Error> {
     Ok(Answer::new(vec![("values", Value::Numbers(blossom::sigma(arguments.numbers("values")?)))]))

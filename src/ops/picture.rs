@@ -1,9 +1,8 @@
 //! Pictures as answers.
 
-use super::arguments::Arguments;
-use super::value::{Answer, Value};
 use crate::draw::CurvePicture;
 use crate::error::Error;
+use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
     let mut picture = CurvePicture::new(arguments.segment()?);

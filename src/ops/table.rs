@@ -1,11 +1,10 @@
 //! The table of operations.
 
-use super::arguments::Arguments;
-use super::value::Answer;
 use super::{curve, geometry, numbers, picture};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::symbolic::Polynomial;
+use crate::value::{Answer, Arguments};
 
 /// What an argument is, for the adaptors that read it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +132,7 @@ pub const OPERATIONS: &[Operation] = &[
         selected_by: "",
         doc: "The polar form (blossom) of a curve",
         example: "casteljau polar '(3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)'",
-        parameters: &[CURVE, DEGREE],
+        parameters: &[CURVE, DEGREE, optional("frame", Kind::Frame, "over", "also the control points over this frame r..s")],
         run: Run::Any(curve::polar, curve::polar),
     },
     Operation {

@@ -6,8 +6,8 @@ use super::formula::Notation;
 use crate::blossom::{PolarDefect, PolarForm, symmetric_terms};
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::{Answer, Value};
 use crate::segment::Segment;
+use crate::value::{Answer, Value};
 
 /// The answer as the `output` of a `batch` answer.
 ///

@@ -2,7 +2,7 @@
 
 use super::formula::Notation;
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::{Answer, Arguments, Value};
+use crate::value::{Answer, Arguments, Value};
 
 /// The answer as one expression: the only part, or the list of the parts.
 ///

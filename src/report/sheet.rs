@@ -2,9 +2,9 @@
 
 use super::formula::Notation;
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::{Answer, Arguments, Value};
 use crate::scheme::polar_label;
 use crate::segment::Segment;
+use crate::value::{Answer, Arguments, Value};
 
 /// The answer as the lines of an `aligned` block, ready to paste between `$$`.
 ///

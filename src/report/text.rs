@@ -6,10 +6,10 @@ use crate::affine::Parameter;
 use crate::blossom::PolarDefect;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::{Answer, Arguments, Value};
 use crate::scheme::{Scheme, polar_label};
 use crate::segment::Segment;
 use crate::syntax::printer;
+use crate::value::{Answer, Arguments, Value};
 
 /// The answer to an operation, as lines of text ending in a line end.
 ///

@@ -10,7 +10,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// Splits a command line into words as a shell does with single quotes.
-pub fn words(line: &str) -> Vec<String> {
+pub(crate) fn words(line: &str) -> Vec<String> {
     let mut words = Vec::new();
     let mut current: Option<String> = None;
     let mut quoted = false;
@@ -30,7 +30,7 @@ pub fn words(line: &str) -> Vec<String> {
 }
 
 /// Runs the program with these words (the first is its name).
-pub fn run(words: &[String], directory: &Path) -> Output {
+pub(crate) fn run(words: &[String], directory: &Path) -> Output {
     assert_eq!(words[0], "casteljau", "transcripts run this program only");
     Command::new(env!("CARGO_BIN_EXE_casteljau"))
         .args(&words[1..])
@@ -42,7 +42,7 @@ pub fn run(words: &[String], directory: &Path) -> Output {
 }
 
 /// What a command prints, in the form of a transcript.
-pub fn printed(line: &str, directory: &Path) -> String {
+pub(crate) fn printed(line: &str, directory: &Path) -> String {
     let output = run(&words(line), directory);
     let mut text = String::from_utf8(output.stdout).expect("standard output is UTF-8");
     for line in String::from_utf8(output.stderr).expect("standard error is UTF-8").lines() {
@@ -58,7 +58,7 @@ pub fn printed(line: &str, directory: &Path) -> String {
 }
 
 /// A transcript with everything that commands print taken from the program.
-pub fn replayed(transcript: &str, directory: &Path) -> (String, usize) {
+pub(crate) fn replayed(transcript: &str, directory: &Path) -> (String, usize) {
     let mut replayed = String::new();
     let mut commands = 0;
     let mut lines = transcript.lines().peekable();

@@ -1,6 +1,6 @@
 //! The arguments of one operation, by name.
 
-use super::value::Value;
+use super::Value;
 use crate::affine::{AffineMap, Interval, Parameter};
 use crate::curve::Curve;
 use crate::error::Error;

@@ -1,0 +1,198 @@
+//! Points of space on the plane: an orthographic projection, and the floor
+//! that lets depth be read.
+
+use num_traits::{One, Signed, Zero};
+
+use super::bezier::{Point, mix, place, polygon};
+use super::label::width;
+use super::style;
+use super::svg::{Anchor, Stroke, Svg, Type};
+use super::ticks::Step;
+use super::view::View;
+use crate::affine::AffineMap;
+use crate::error::Error;
+use crate::exact::Rational;
+
+/// How many times longer one side may be before every axis gets a scale of its own.
+const RATIO: i64 = 20;
+
+/// A box of space and the direction it is looked at from.
+#[derive(Clone, Debug)]
+pub(super) struct Space {
+    /// The box, from tick to tick.
+    ranges: [(Rational, Rational); 3],
+    steps: [Step; 3],
+    map: AffineMap,
+    /// Whether the side of the box that is closer to the eye is the upper one, for x and y.
+    upper_is_near: [bool; 2],
+}
+
+/// The number with six digits, which is as much as ink needs.
+fn rounded(value: f64) -> Rational {
+    Rational::new((value * 1e6).round() as i64, 1_000_000)
+}
+
+impl Space {
+    /// The box around points, seen from these angles in degrees.
+    pub(super) fn new<'a>(points: impl Iterator<Item = &'a [Rational]> + Clone, azimuth: i32, elevation: i32) -> Result<Self, Error> {
+        let bound = |axis: usize| {
+            let values = points.clone().filter_map(move |point| point.get(axis));
+            (values.clone().min().cloned().unwrap_or_default(), values.max().cloned().unwrap_or_default())
+        };
+        let mut ranges = [bound(0), bound(1), bound(2)];
+        let extents = ranges.each_ref().map(|(low, high)| high - low);
+        let largest = extents.iter().max().cloned().unwrap_or_default();
+        let thin = extents.iter().any(|extent| !extent.is_zero() && extent * Rational::from(RATIO) < largest);
+        let flat = if largest.is_zero() {
+            let size = ranges.iter().map(|(low, _)| low.abs()).max().unwrap_or_default();
+            if size.is_zero() { Rational::one() } else { size / Rational::from(2) }
+        } else {
+            &largest / Rational::from(8)
+        };
+        for (low, high) in &mut ranges {
+            if low == high {
+                *low -= &flat;
+                *high += &flat;
+            }
+        }
+        let longest = ranges.iter().map(|(low, high)| high - low).max().unwrap_or_else(Rational::one);
+        let steps = ranges.each_ref().map(|(low, high)| {
+            let length = if thin { high - low } else { longest.clone() };
+            Step::at_least(&(length / Rational::from(5)))
+        });
+        for (range, step) in ranges.iter_mut().zip(&steps) {
+            *range = step.widen(&range.0, &range.1);
+        }
+        let (sin, cos) = f64::from(azimuth.rem_euclid(360)).to_radians().sin_cos();
+        let (rise, run) = f64::from(elevation.rem_euclid(360)).to_radians().sin_cos();
+        let rows = [[-sin, cos, 0.0], [-rise * cos, -rise * sin, run]];
+        let longest = ranges.iter().map(|(low, high)| high - low).max().unwrap_or_else(Rational::one);
+        let scaled = |row: &[f64; 3]| -> Vec<Rational> {
+            let length = |(low, high): &(Rational, Rational)| if thin { high - low } else { longest.clone() };
+            row.iter().zip(&ranges).map(|(entry, range)| rounded(*entry) / length(range)).collect()
+        };
+        let rows: Vec<Vec<Rational>> = rows.iter().map(scaled).collect();
+        let map = AffineMap::new(rows, vec![Rational::zero(), Rational::zero()])?;
+        Ok(Self { ranges, steps, map, upper_is_near: [cos * run >= 0.0, sin * run >= 0.0] })
+    }
+
+    /// The point of the plane that a point is seen at.
+    pub(super) fn flat(&self, point: &[Rational]) -> Result<Vec<Rational>, Error> {
+        self.map.apply(point)
+    }
+
+    /// The point of the floor below a point.
+    pub(super) fn below(&self, point: &[Rational]) -> Vec<Rational> {
+        let mut point = point.to_vec();
+        if let Some(height) = point.get_mut(2) {
+            height.clone_from(&self.ranges[2].0);
+        }
+        point
+    }
+
+    fn corner(&self, upper: [bool; 3]) -> Vec<Rational> {
+        self.ranges.iter().zip(upper).map(|((low, high), upper)| if upper { high.clone() } else { low.clone() }).collect()
+    }
+
+    /// The corners of the box on the plane.
+    pub(super) fn corners(&self) -> Result<Vec<Vec<Rational>>, Error> {
+        (0..8).map(|bits| self.flat(&self.corner([bits & 1 != 0, bits & 2 != 0, bits & 4 != 0]))).collect()
+    }
+
+    /// Draws the floor with its lines and numbers, and one upright edge.
+    pub(super) fn draw(&self, svg: &mut Svg, view: &View) -> Result<(), Error> {
+        let seen = |point: &[Rational]| -> Result<Point, Error> { Ok(view.place(&self.flat(point)?)) };
+        let [far_x, far_y] = self.upper_is_near.map(|near| !near);
+        let [near_x, near_y] = self.upper_is_near;
+        let ring = [[near_x, near_y], [near_x, far_y], [far_x, far_y], [far_x, near_y]];
+        let ring = ring.iter().map(|&[x, y]| seen(&self.corner([x, y, false]))).collect::<Result<Vec<Point>, _>>()?;
+        let centre = mix(ring[0], ring[2], 0.5);
+        svg.open("floor");
+        svg.filled(&polygon(&ring), style::FLOOR);
+        let upright = if ring[1][0] < ring[3][0] { (1, [near_x, far_y]) } else { (3, [far_x, near_y]) };
+        let top = seen(&self.corner([upright.1[0], upright.1[1], true]))?;
+        // The near edges carry the numbers of x and y, an upright edge at the left those of z.
+        for axis in 0..3 {
+            let (low, high) = &self.ranges[axis];
+            let mut outward = [-1.0, 0.0];
+            for (value, text) in self.steps[axis].ticks(low, high) {
+                let mut from = self.corner(if axis == 2 { [upright.1[0], upright.1[1], false] } else { [near_x, near_y, false] });
+                from[axis] = value;
+                let start = seen(&from)?;
+                if axis < 2 {
+                    let mut to = self.corner([far_x, far_y, false]);
+                    to[axis].clone_from(&from[axis]);
+                    let end = seen(&to)?;
+                    svg.line(start, end, Stroke::solid(style::GRID_IN_SPACE, 1.0));
+                    let length = super::bezier::distance(start, end).max(1e-9);
+                    outward = [(start[0] - end[0]) / length, (start[1] - end[1]) / length];
+                } else {
+                    svg.line(start, [start[0] - 4.0, start[1]], Stroke::solid(style::AXIS, 1.0));
+                }
+                self.number(svg, start, outward, &text);
+            }
+            let ends = match axis {
+                0 => [ring[0], ring[3]],
+                1 => [ring[0], ring[1]],
+                _ => [ring[upright.0], top],
+            };
+            svg.path(&format!("M{} L{}", place(ends[0]), place(ends[1])), Stroke::solid(style::AXIS, 1.1));
+            let name = ["x", "y", "z"][axis];
+            let at = if axis == 2 {
+                [top[0], top[1] - 10.0]
+            } else {
+                let middle = mix(ends[0], ends[1], 0.5);
+                let away = if outward[1].abs() < 0.05 { [0.0, (middle[1] - centre[1]).signum()] } else { outward };
+                [middle[0] + 40.0 * away[0], middle[1] + 40.0 * away[1] + 4.0]
+            };
+            svg.text(at, name, Type { bold: true, ..Type::new(13.0, style::QUIET_TEXT, Anchor::Middle) });
+        }
+        svg.close();
+        Ok(())
+    }
+
+    fn number(&self, svg: &mut Svg, at: Point, outward: Point, text: &str) {
+        let anchor = match outward[0] {
+            x if x > 0.5 => Anchor::Start,
+            x if x < -0.5 => Anchor::End,
+            _ => Anchor::Middle,
+        };
+        // A text in the middle moves down by its height, one beside the edge hardly.
+        let lower = 4.0 + 5.0 * outward[1].max(0.0);
+        let reach = 9.0 + if anchor == Anchor::Middle { width(text, 2.0) } else { 0.0 };
+        let [x, y] = [at[0] + reach * outward[0], at[1] + reach * outward[1] + lower];
+        svg.text([x, y], text, Type::new(style::TICK_SIZE, style::QUIET_TEXT, anchor));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn space(points: &[[i64; 3]], azimuth: i32, elevation: i32) -> Space {
+        let points: Vec<Vec<Rational>> = points.iter().map(|point| point.map(Rational::from).to_vec()).collect();
+        Space::new(points.iter().map(Vec::as_slice), azimuth, elevation).unwrap()
+    }
+
+    #[test]
+    fn from_above_the_plane_is_seen() {
+        let space = space(&[[0, 0, 0], [10, 5, 1]], -90, 90);
+        assert_eq!(space.flat(&[3, 4, 5].map(Rational::from)), Ok(vec![Rational::new(3, 10), Rational::new(4, 10)]));
+    }
+
+    #[test]
+    fn boxes_reach_from_tick_to_tick() {
+        let space = space(&[[-1, 0, 2], [9, 0, 3]], 30, 25);
+        assert_eq!(space.ranges[0], (Rational::from(-2), Rational::from(10)));
+        assert_eq!(space.ranges[1], (Rational::from(-2), Rational::from(2)));
+        assert_eq!(space.below(&[1, 1, 1].map(Rational::from))[2], Rational::from(2));
+    }
+
+    #[test]
+    fn a_single_point_has_a_box() {
+        for point in [[0, 0, 0], [7, 0, -2]] {
+            let space = space(&[point], 30, 25);
+            assert!(space.ranges.iter().all(|(low, high)| low < high));
+        }
+    }
+}
