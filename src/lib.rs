@@ -83,3 +83,8 @@ pub use kernel::coefficient::Coefficient;
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
 pub use symbolic::{Monomial, Polynomial, Symbol};
+
+/// The library example of the README, run as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct ReadmeExamples;
