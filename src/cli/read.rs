@@ -212,7 +212,7 @@ impl Reader<'_> {
             let mut row = Vec::new();
             for &symbol in &coordinates {
                 let coefficient = rest.coefficients_in(symbol).into_iter().nth(1).unwrap_or_default();
-                rest = rest - &coefficient * &Polynomial::from(symbol);
+                rest -= &coefficient * &Polynomial::from(symbol);
                 row.push(coefficient);
             }
             let mixed = row.iter().chain([&rest]).any(|part| coordinates.iter().any(|&symbol| part.degree_in(symbol) > 0));

@@ -2,7 +2,7 @@
 
 use super::decimal::decimal;
 use super::formula::Notation;
-use crate::affine::Parameter;
+use crate::affine::{Interval, Parameter};
 use crate::blossom::PolarDefect;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -196,6 +196,14 @@ impl<C: Coefficient> Page<'_, C> {
         }
     }
 
+    /// Whether the parameter of a scheme lies in the closed frame, so that all
+    /// points are convex combinations; symbols do not tell.
+    fn is_inside(&self, scheme: &Scheme<C>) -> Option<bool> {
+        let frame = scheme.frame();
+        let frame = Interval::new(frame.r().as_rational()?, frame.s().as_rational()?).ok()?;
+        Some(frame.contains(&scheme.parameter().as_rational()?))
+    }
+
     /// The triangular scheme: a column a step, each point between the two it comes from.
     fn scheme(&mut self, scheme: &Scheme<C>) {
         let degree = scheme.degree();
@@ -210,6 +218,11 @@ impl<C: Coefficient> Page<'_, C> {
             self.notation.number(scheme.frame().s()),
             self.notation.number(scheme.parameter())
         );
+        let frame = match self.is_inside(scheme) {
+            Some(true) => format!("{frame} (inside the frame)"),
+            Some(false) => format!("{frame} (outside the frame)"),
+            None => frame,
+        };
         self.lines.push(frame);
         if widths.iter().sum::<usize>() > 160 {
             // Too wide for a triangle: one step after the other.

@@ -26,7 +26,7 @@ pub(crate) fn polarization(curve: &Coefficients, arguments: &[(Rational, Rationa
             let t: Rational = (0..m).filter(chosen).map(|index| arguments[index].0.clone()).sum();
             let w: Rational = (0..m).filter(chosen).map(|index| arguments[index].1.clone()).sum();
             let term = homogeneous(coefficients, m, &t, &w);
-            if (m - subset.count_ones() as usize) % 2 == 0 { sum += term } else { sum -= term }
+            if (m - subset.count_ones() as usize).is_multiple_of(2) { sum += term } else { sum -= term }
         }
         sum / &factorial
     };
