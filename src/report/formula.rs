@@ -1,7 +1,8 @@
 //! Formulas in the notations that mathematics is printed in.
 
-use crate::blossom::{PolarForm, polar_symbol, symmetric_terms};
+use crate::blossom::{PolarForm, binomials, polar_symbol, symmetric_terms};
 use crate::curve::Curve;
+use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::{Style, printer};
@@ -64,45 +65,35 @@ impl Notation {
     /// Whether a coordinate of a polar form is written out.
     pub(super) fn writes_out<C: Coefficient>(&self, polar: &PolarForm<C>, coordinate: usize) -> bool {
         let limit = if self.expand { Self::MAX_EXPANDED_TERMS } else { Self::MAX_TERMS };
-        polar.term_count(coordinate) <= crate::exact::Rational::from(limit as i64)
+        polar.term_count(coordinate) <= Rational::from(limit as i64)
     }
 
-    /// The right side of one coordinate of a polar form, the terms grouped by
-    /// symmetric sums with the highest first.
+    /// The right side of one coordinate of a polar form: written out with the
+    /// terms grouped by symmetric sums, or by the symmetric functions
+    /// themselves where that would take too many terms. The highest come first.
     pub(super) fn polar<C: Coefficient>(&self, polar: &PolarForm<C>, coordinate: usize) -> String {
-        let terms: Vec<_> = (0..=polar.degree())
-            .rev()
-            .map(|k| (polar.coefficient(coordinate, k).clone().into(), k))
-            .filter(|(coefficient, _): &(Polynomial, usize)| !coefficient.is_empty())
-            .map(|(coefficient, k)| (coefficient, symmetric_terms(polar.degree(), k)))
-            .collect();
-        printer::sum(&terms, self.style)
-    }
-
-    /// The same by the symmetric functions `σ_k` themselves, divided by the
-    /// binomial numbers, for forms of too many terms.
-    pub(super) fn polar_by_sigma<C: Coefficient>(&self, polar: &PolarForm<C>, curve_coefficients: &[C], degree: usize) -> String {
-        debug_assert_eq!(polar.degree(), degree);
+        let degree = polar.degree();
+        let coefficients = (0..=degree).rev().map(|k| (k, polar.coefficient(coordinate, k).clone().into()));
+        let terms: Vec<(usize, Polynomial)> = coefficients.filter(|(_, coefficient)| !coefficient.is_empty()).collect();
+        if self.writes_out(polar, coordinate) {
+            let written: Vec<_> = terms.into_iter().map(|(k, coefficient)| (coefficient, symmetric_terms(degree, k))).collect();
+            return printer::sum(&written, self.style);
+        }
+        // Behind σ_k stands its number of terms, so that what is left is the coefficient of t^k.
+        let counts = binomials(degree);
         let mut text = String::new();
-        for (k, coefficient) in curve_coefficients.iter().enumerate().rev().filter(|(_, c)| !c.is_nothing()) {
-            let coefficient: Polynomial = coefficient.clone().into();
+        for (k, coefficient) in terms {
+            let printed = printer::polynomial(&coefficient.scale(&counts[k]), &[], self.style);
             let several = coefficient.len() > 1;
-            let printed = printer::polynomial(&coefficient, &[], self.style);
             let (sign, size) = match printed.strip_prefix('-') {
                 Some(size) if !several => ("-", size.to_owned()),
-                _ if several => ("+", format!("({printed})")),
+                _ if several && k > 0 => ("+", format!("({printed})")),
                 _ => ("+", printed),
             };
-            let factor = match (k, self.style) {
-                (0, _) => String::new(),
-                (_, Style::Latex) => format!("\\sigma_{{{k}}} / \\binom{{{degree}}}{{{k}}}"),
-                (_, Style::Text) => format!("σ{k}/C({degree},{k})"),
-                (_, Style::Mathematica) => format!("SymmetricPolynomial[{k}, {{{}}}]/Binomial[{degree}, {k}]", self.arguments(degree)),
-            };
-            let term = match (size.as_str(), factor.is_empty()) {
-                (_, true) => size,
-                ("1", false) => factor,
-                _ => format!("{size} {factor}"),
+            let term = match (self.sigma(k, degree), size.as_str()) {
+                (None, _) => size,
+                (Some(sigma), "1") => sigma,
+                (Some(sigma), _) => format!("{size} {sigma}"),
             };
             text += &match (text.is_empty(), sign) {
                 (true, "-") => format!("-{term}"),
@@ -111,6 +102,18 @@ impl Notation {
             };
         }
         if text.is_empty() { "0".to_owned() } else { text }
+    }
+
+    /// The symmetric function `σ_k` over its number of terms; nothing for `σ_0 = 1`.
+    fn sigma(&self, k: usize, degree: usize) -> Option<String> {
+        (k > 0).then(|| match self.style {
+            Style::Latex => format!("\\sigma_{{{k}}} / \\binom{{{degree}}}{{{k}}}"),
+            Style::Text => format!("σ{k}/C({degree},{k})"),
+            Style::Mathematica => {
+                let symbols: Vec<String> = (1..=degree).map(|index| polar_symbol(index).to_string()).collect();
+                format!("SymmetricPolynomial[{k}, {{{}}}]/Binomial[{degree}, {k}]", symbols.join(", "))
+            }
+        })
     }
 
     /// The arguments `t1,t2,…` of a polar form.

@@ -2,18 +2,16 @@
 
 use super::formula::Notation;
 use crate::kernel::coefficient::Coefficient;
-use crate::value::{Answer, Arguments, Value};
+use crate::value::{Answer, Value};
 
 /// The answer as one expression: the only part, or the list of the parts.
-///
-/// # Errors
-/// A message if a polar form cannot be made of the arguments.
-pub fn mathematica<C: Coefficient>(arguments: &Arguments<C>, answer: &Answer<C>, notation: &Notation) -> Result<String, String> {
-    let parts = answer.fields.iter().map(|(_, value)| expression(value, arguments, notation)).collect::<Result<Vec<_>, _>>()?;
-    Ok(match parts.as_slice() {
+#[must_use]
+pub fn mathematica<C: Coefficient>(answer: &Answer<C>, notation: &Notation) -> String {
+    let parts: Vec<String> = answer.fields.iter().map(|(_, value)| expression(value, notation)).collect();
+    match parts.as_slice() {
         [only] => format!("{only}\n"),
         several => format!("{}\n", list(several)),
-    })
+    }
 }
 
 fn list(parts: &[String]) -> String {
@@ -25,10 +23,10 @@ fn point<C: Coefficient>(point: &[C], notation: &Notation) -> String {
     list(&point.iter().map(|coordinate| notation.number(coordinate)).collect::<Vec<_>>())
 }
 
-fn expression<C: Coefficient>(value: &Value<C>, arguments: &Arguments<C>, notation: &Notation) -> Result<String, String> {
+fn expression<C: Coefficient>(value: &Value<C>, notation: &Notation) -> String {
     let points = |points: &mut dyn Iterator<Item = &[C]>| list(&points.map(|p| point(p, notation)).collect::<Vec<_>>());
-    let all = |values: &[Value<C>]| values.iter().map(|value| expression(value, arguments, notation)).collect::<Result<Vec<_>, String>>();
-    Ok(match value {
+    let all = |values: &[Value<C>]| values.iter().map(|value| expression(value, notation)).collect::<Vec<_>>();
+    match value {
         Value::Truth(truth) => if *truth { "True" } else { "False" }.to_owned(),
         Value::Count(count) => count.to_string(),
         Value::Number(number) => notation.number(number),
@@ -39,24 +37,14 @@ fn expression<C: Coefficient>(value: &Value<C>, arguments: &Arguments<C>, notati
         Value::Curve(curve) => list(&(0..curve.dimension()).map(|index| notation.coordinate(curve, index)).collect::<Vec<_>>()),
         Value::Net(segment) | Value::Piece(segment) => points(&mut segment.points()),
         Value::Pieces(pieces) => list(&pieces.iter().map(|piece| points(&mut piece.points())).collect::<Vec<_>>()),
-        Value::Polar(polar) => {
-            let curve = arguments.curve().map_err(|error| error.to_string())?;
-            let coordinate = |index| {
-                if notation.writes_out(polar, index) {
-                    return notation.polar(polar, index);
-                }
-                let coefficients: Vec<C> = curve.coordinate(index).cloned().collect();
-                notation.polar_by_sigma(polar, &coefficients, polar.degree())
-            };
-            list(&(0..polar.dimension()).map(coordinate).collect::<Vec<_>>())
-        }
+        Value::Polar(polar) => list(&(0..polar.dimension()).map(|index| notation.polar(polar, index)).collect::<Vec<_>>()),
         Value::Scheme(scheme) => list(&scheme.layers().map(|mut layer| points(&mut layer)).collect::<Vec<_>>()),
-        Value::List(values) => list(&all(values)?),
-        Value::Record(fields) => list(&all(&fields.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>())?),
+        Value::List(values) => list(&all(values)),
+        Value::Record(fields) => list(&all(&fields.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>())),
         Value::Word(word) => format!("\"{word}\""),
         Value::Document(text) => format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"")),
         Value::Nothing | Value::Arguments(_) | Value::Map(_) | Value::Expressions(_) | Value::Variable(_) | Value::Defects(_) => {
             "Null".to_owned()
         }
-    })
+    }
 }

@@ -31,15 +31,9 @@ fn field<C: Coefficient>(
 ) -> Result<(), String> {
     match value {
         Value::Polar(polar) => {
-            let curve = arguments.curve().map_err(|error| error.to_string())?;
             for coordinate in 0..polar.dimension() {
                 let head = format!("{}({})", notation.name('f', coordinate, polar.dimension()), notation.arguments(polar.degree()));
-                let body = if notation.writes_out(polar, coordinate) {
-                    notation.polar(polar, coordinate)
-                } else {
-                    let coefficients: Vec<C> = curve.coordinate(coordinate).cloned().collect();
-                    notation.polar_by_sigma(polar, &coefficients, polar.degree())
-                };
+                let body = notation.polar(polar, coordinate);
                 lines.push(format!("{head} &= {body}"));
             }
         }

@@ -3,7 +3,7 @@
 use super::decimal::decimal;
 use super::formula::Notation;
 use crate::affine::{Interval, Parameter};
-use crate::blossom::PolarDefect;
+use crate::blossom::{PolarDefect, PolarForm};
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::scheme::{Scheme, polar_label};
@@ -65,32 +65,7 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Net(segment) => self.net(segment),
             Value::Piece(segment) => self.piece(segment),
             Value::Pieces(pieces) => pieces.iter().for_each(|piece| self.piece(piece)),
-            Value::Polar(polar) => {
-                let curve = self.arguments.curve().map_err(|error| error.to_string())?;
-                let degree = polar.degree();
-                let mut by_sigma = false;
-                for coordinate in 0..polar.dimension() {
-                    let head = format!("{}({})", self.notation.name('f', coordinate, polar.dimension()), self.notation.arguments(degree));
-                    let body = if self.notation.writes_out(polar, coordinate) {
-                        self.notation.polar(polar, coordinate)
-                    } else if self.notation.expand {
-                        return Err(format!(
-                            "coordinate {} has {} terms; at most {} are written out",
-                            coordinate + 1,
-                            polar.term_count(coordinate),
-                            Notation::MAX_EXPANDED_TERMS
-                        ));
-                    } else {
-                        by_sigma = true;
-                        let coefficients: Vec<C> = curve.coordinate(coordinate).cloned().collect();
-                        self.notation.polar_by_sigma(polar, &coefficients, degree)
-                    };
-                    self.lines.push(format!("{head} = {body}"));
-                }
-                if by_sigma {
-                    self.lines.push(format!("(σk is the sum of all products of k of the {degree} arguments; --expand writes them out)"));
-                }
-            }
+            Value::Polar(polar) => self.polar(polar)?,
             Value::Scheme(scheme) => self.scheme(scheme),
             Value::Defects(defects) => defects.iter().for_each(|defect| self.defect(defect)),
             Value::Document(text) => self.lines.push(text.trim_end().to_owned()),
@@ -176,6 +151,29 @@ impl<C: Coefficient> Page<'_, C> {
         } else {
             self.lines.push(format!("{title}: {}", self.inline(&Value::Numbers(numbers.to_vec()))));
         }
+    }
+
+    fn polar(&mut self, polar: &PolarForm<C>) -> Result<(), String> {
+        let degree = polar.degree();
+        let mut all_written_out = true;
+        for coordinate in 0..polar.dimension() {
+            let written_out = self.notation.writes_out(polar, coordinate);
+            if self.notation.expand && !written_out {
+                return Err(format!(
+                    "coordinate {} has {} terms; at most {} are written out",
+                    coordinate + 1,
+                    polar.term_count(coordinate),
+                    Notation::MAX_EXPANDED_TERMS
+                ));
+            }
+            all_written_out &= written_out;
+            let name = self.notation.name('f', coordinate, polar.dimension());
+            self.lines.push(format!("{name}({}) = {}", self.notation.arguments(degree), self.notation.polar(polar, coordinate)));
+        }
+        if !all_written_out {
+            self.lines.push(format!("(σk is the sum of all products of k of the {degree} arguments; --expand writes them out)"));
+        }
+        Ok(())
     }
 
     fn net(&mut self, segment: &Segment<C>) {
