@@ -31,10 +31,10 @@
 //!
 //! | layer | what it holds |
 //! |---|---|
-//! | `main`, [`cli`], [`batch`] | adaptors: arguments, files, exit status; requests a line |
+//! | `main`, `cli`, `batch` | adaptors: arguments, files, exit status; requests a line |
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
-//! | [`value`], [`model`] | what operations take and give; shapes in files |
+//! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `curve`, `segment`, `scheme`, `bernstein`, `hull`, `flatness`, `blossom`, `matrix` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |

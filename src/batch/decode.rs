@@ -41,7 +41,7 @@ fn value(kind: Kind, raw: &RawValue, name: &str) -> Result<Value, Fault> {
     Ok(match kind {
         Kind::Curve => Value::Curve(curve(raw)?),
         Kind::Points => Value::Points(points(raw)?),
-        Kind::Frame => Value::Frame(frame(raw)?),
+        Kind::Frame | Kind::FrameOfPoints => Value::Frame(frame(raw)?),
         Kind::Number => Value::Number(number(raw)?),
         Kind::Numbers | Kind::Arguments => Value::Numbers(numbers(raw, name)?),
         Kind::Point => Value::Point(numbers(raw, name)?),

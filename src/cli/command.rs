@@ -127,7 +127,7 @@ fn flag(parameter: &'static Parameter) -> Arg {
     let argument = Arg::new(parameter.name).long(parameter.flag).help(parameter.help);
     let name = match parameter.kind {
         Kind::Flag => return argument.action(ArgAction::SetTrue),
-        Kind::Frame => "R..S",
+        Kind::Frame | Kind::FrameOfPoints => "R..S",
         Kind::Number => "NUMBER",
         Kind::Count => "N",
         Kind::Arguments | Kind::HomogeneousArguments => "ARGUMENTS",

@@ -171,7 +171,7 @@ impl Reader<'_> {
         let name = format!("--{}", parameter.flag);
         let problem = |error: SyntaxError| Problem::syntax(&name, text, error);
         Ok(match parameter.kind {
-            Kind::Frame => match syntax::parse_frame(text).map_err(problem)? {
+            Kind::Frame | Kind::FrameOfPoints => match syntax::parse_frame(text).map_err(problem)? {
                 FrameInput::Interval(r, s) => Value::Frame(Interval::new(r, s)?),
                 _ => return Err(Problem::plain(format!("{name} takes the frame r..s of a curve, such as -1..3"))),
             },
@@ -234,17 +234,17 @@ impl Reader<'_> {
 
     /// The frame of the shape file, or a word about the default.
     fn default_frame(&mut self) -> Result<(), Problem> {
-        if self.operation.parameter("frame").is_none() {
-            return Ok(());
-        }
+        let Some(parameter) = self.operation.parameter("frame") else { return Ok(()) };
+        let needed = self.arguments.get("points").is_some() || (self.arguments.get("curve").is_some() && parameter.kind == Kind::Frame);
         match (self.arguments.frame("frame").ok(), self.shape_frame.take()) {
             (Some(given), Some(file)) if *given != file => {
                 return Err(Problem::plain(format!("--over {given} contradicts the frame {file} of the shape file"))
                     .with_help("`casteljau reframe` brings the control points over another frame"));
             }
             (None, Some(file)) => self.arguments.insert("frame", Value::Frame(file)),
-            (None, None) if self.arguments.get("points").is_some() => {
-                self.notes.push("the control points are taken over 0..1; --over r..s says otherwise".to_owned());
+            // `polar` has control points only where a frame is given.
+            (None, None) if needed && self.operation.verb != "polar" => {
+                self.notes.push("the frame is 0..1; --over r..s says otherwise".to_owned());
             }
             _ => {}
         }

@@ -15,6 +15,8 @@ pub enum Kind {
     Points,
     /// A frame of the parameter line.
     Frame,
+    /// The frame of control points; an equation does not need it.
+    FrameOfPoints,
     /// A number.
     Number,
     /// A list of numbers.
@@ -117,7 +119,8 @@ const CURVE: Parameter = required("curve", Kind::Curve, "", "the equation, such 
 const POINTS: Parameter = required("points", Kind::Points, "", "the control points, such as '(0,0) (1,2) (2,0)'");
 const EITHER_CURVE: Parameter = optional("curve", Kind::Curve, "", "the equation, such as '(t, t^2)'");
 const EITHER_POINTS: Parameter = optional("points", Kind::Points, "", "or the control points, such as '(0,0) (1,2) (2,0)'");
-const OVER: Parameter = optional("frame", Kind::Frame, "over", "the frame r..s of the control points");
+const OVER: Parameter = optional("frame", Kind::Frame, "over", "the frame r..s (0..1 unless said)");
+const OVER_POINTS: Parameter = optional("frame", Kind::FrameOfPoints, "over", "the frame r..s of control points (0..1 unless said)");
 const DEGREE: Parameter = optional("degree", Kind::Count, "degree", "the polar degree, if it is to be higher than the degree");
 const AT: Parameter = required("t", Kind::Number, "at", "the parameter");
 const OTHER_CURVE: Parameter = optional("other_curve", Kind::Curve, "", "the second equation");
@@ -190,7 +193,7 @@ pub const OPERATIONS: &[Operation] = &[
         selected_by: "",
         doc: "The point of a curve at a parameter",
         example: "casteljau eval '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1",
-        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, AT],
+        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, AT],
         run: Run::Any(curve::eval, curve::eval),
     },
     Operation {
@@ -277,7 +280,7 @@ pub const OPERATIONS: &[Operation] = &[
         parameters: &[
             EITHER_CURVE,
             EITHER_POINTS,
-            OVER,
+            OVER_POINTS,
             optional("order", Kind::Count, "order", "the order (1 unless said)"),
             optional("t", Kind::Number, "at", "the parameter; without it the derivative is given as a curve"),
         ],
@@ -301,7 +304,7 @@ pub const OPERATIONS: &[Operation] = &[
         parameters: &[
             EITHER_CURVE,
             EITHER_POINTS,
-            OVER,
+            OVER_POINTS,
             required("map", Kind::Map, "map", "the image of (x, y) or (x, y, z) or (x1, x2, …)"),
         ],
         run: Run::Any(curve::transform, curve::transform),
@@ -312,7 +315,7 @@ pub const OPERATIONS: &[Operation] = &[
         selected_by: "",
         doc: "Whether two curves or pieces are the same polynomial map",
         example: "casteljau equal '(0,0) (1/2,0) (1,1)' '(t, t^2)'",
-        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, OTHER_CURVE, OTHER_POINTS, OTHER_OVER],
+        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, OTHER_CURVE, OTHER_POINTS, OTHER_OVER],
         run: Run::Any(curve::equal, curve::equal),
     },
     Operation {
@@ -321,7 +324,7 @@ pub const OPERATIONS: &[Operation] = &[
         selected_by: "",
         doc: "Dimensions and degrees of a curve",
         example: "casteljau describe '(t, t^2, t^3)'",
-        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, DEGREE],
+        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, DEGREE],
         run: Run::Any(curve::describe, curve::describe),
     },
     Operation {
