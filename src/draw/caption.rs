@@ -1,7 +1,7 @@
 //! The lines above a picture.
 
 use super::label::width;
-use super::number::short;
+use super::number::{equation, short};
 use super::scene::{kind, steps_are_drawn};
 use super::style;
 use super::svg::{Anchor, Stroke, Svg, Type};
@@ -26,10 +26,10 @@ impl Caption {
     pub(super) fn new(segment: &Segment, parameter: Option<&Rational>, depth: Option<usize>) -> Self {
         let (degree, [r, s]) = (segment.degree(), [segment.frame().r(), segment.frame().s()].map(short));
         let title = format!("{} over {r}..{s}", kind(degree));
-        let mut vertices = format!("r = {r}, s = {s}");
+        let mut vertices = format!("{}, {}", equation("r", &r), equation("s", &s));
         let mut keys = Vec::new();
         if let Some(t) = parameter {
-            vertices.push_str(&format!(", t = {}", short(t)));
+            vertices.push_str(&format!(", {}", equation("t", &short(t))));
             if steps_are_drawn(degree) && degree <= MAX_EXPLAINED {
                 keys.push((style::CONTROL.to_owned(), "control points".to_owned()));
                 keys.extend((1..degree).map(|step| (style::step_colour(step, degree), format!("step {step}"))));
@@ -51,7 +51,7 @@ impl Caption {
 
     /// The height of the lines.
     pub(super) fn height(&self) -> f64 {
-        64.0 + if self.keys.is_empty() { 0.0 } else { 20.0 }
+        74.0 + if self.keys.is_empty() { 0.0 } else { 20.0 }
     }
 
     /// The width of the longest line, with margins.

@@ -1,7 +1,8 @@
 //! Pictures of curves.
 
+use super::arrow::arrow;
 use super::axes::draw_axes;
-use super::bezier::{Bezier, Point, distance, mix, place, polygon};
+use super::bezier::{Bezier, Point, distance, polygon};
 use super::caption::Caption;
 use super::label::{Obstacles, draw_labels};
 use super::mark::{Mark, Rank, control_name, draw_dots, labels, polar_name};
@@ -20,6 +21,8 @@ const MAX_TOLD: usize = 4;
 const MAX_LABELLED_STEPS: usize = 6;
 /// The largest degree that is continued a little outside of its frame.
 const MAX_CONTINUED: usize = 20;
+/// The most rounds of splitting whose pieces have marks where they meet.
+const MAX_MARKED: usize = 4;
 /// How many lines stand for the curve when labels look for room.
 const CHORDS: usize = 48;
 
@@ -94,15 +97,16 @@ impl CurvePicture {
         let caption = Caption::new(&self.segment, self.parameter.as_ref(), self.depth);
         let scene = Scene::new(&self.segment, self.parameter.as_ref(), self.angles, caption.height())?;
         let rect = scene.view.rect;
-        let [right, bottom] = if scene.space.is_some() { [20.0, 18.0] } else { [24.0, 40.0] };
+        let [right, bottom] = if scene.space.is_some() { [20.0, 6.0] } else { [24.0, 40.0] };
         let size = [(rect.right + right).max(caption.width()).ceil(), (rect.bottom + bottom).ceil()];
 
         let mut svg = Svg::default();
         caption.draw(&mut svg);
-        self.draw_ground(&mut svg, &scene)?;
         let mut obstacles = Obstacles::default();
+        self.draw_ground(&mut svg, &scene, &mut obstacles)?;
         self.draw_polygons(&mut svg, &scene, &mut obstacles);
         self.draw_curve(&mut svg, &scene, &mut obstacles);
+        self.draw_pieces(&mut svg, &scene, &mut obstacles);
         let marks = self.marks(&scene)?;
         draw_dots(&mut svg, &marks);
         obstacles.dots.extend(marks.iter().map(|mark| (mark.at, 4.0)));
@@ -114,15 +118,16 @@ impl CurvePicture {
     }
 
     /// The grid or the floor, and what lies on it.
-    fn draw_ground(&self, svg: &mut Svg, scene: &Scene) -> Result<(), Error> {
+    fn draw_ground(&self, svg: &mut Svg, scene: &Scene, obstacles: &mut Obstacles) -> Result<(), Error> {
         let Some(space) = &scene.space else {
-            draw_axes(svg, &scene.view, if self.segment.dimension() == 1 { ["t", "F(t)"] } else { ["x", "y"] });
+            draw_axes(svg, &scene.view, if self.segment.dimension() == 1 { ["t", "F(t)"] } else { ["x", "y"] }, obstacles);
             return Ok(());
         };
-        space.draw(svg, &scene.view)?;
+        space.draw(svg, &scene.view, obstacles)?;
         let Some(shadow) = scene.shadow() else { return Ok(()) };
         svg.open("shadow");
         svg.path(&shadow.path(), Stroke::solid(style::SHADOW, 2.0));
+        obstacles.add(&shadow.samples(CHORDS), 0.3);
         if self.segment.degree() <= 12 {
             for (from, to) in scene.control().into_iter().zip(shadow.0) {
                 svg.line(from, to, Stroke::dashed(style::SHADOW, 1.0, "1.5 3"));
@@ -133,7 +138,7 @@ impl CurvePicture {
         Ok(())
     }
 
-    /// The control polygon, the shells, and the polygons of the pieces.
+    /// The control polygon and the shells.
     fn draw_polygons(&self, svg: &mut Svg, scene: &Scene, obstacles: &mut Obstacles) {
         let control = scene.control();
         obstacles.add(&control, 0.5);
@@ -160,31 +165,19 @@ impl CurvePicture {
             }
         }
         svg.close();
-        if let Some(depth) = self.depth {
-            let pieces = scene.curve().subdivide(depth);
-            svg.open("pieces");
-            for (index, piece) in pieces.iter().enumerate() {
-                svg.polyline(&piece.0, Stroke::solid(style::PIECES[index % 2], 1.3));
-                if pieces.len() <= 64 {
-                    obstacles.add(&piece.0, 0.2);
-                }
-            }
-            svg.close();
-        }
     }
 
+    /// The curve, and where it goes outside of its frame.
     fn draw_curve(&self, svg: &mut Svg, scene: &Scene, obstacles: &mut Obstacles) {
         let curve = scene.curve();
-        let inside = |point| scene.view.rect.contains(point);
         svg.open("curve");
-        if (1..=MAX_CONTINUED).contains(&self.segment.degree()) && distance(curve.start(), curve.end()).is_finite() {
+        if scene.space.is_none() && self.segment.degree() <= MAX_CONTINUED {
             let place_of_t = self.parameter.as_ref().map(|t| place_of(&self.segment, t));
             for (side, ends) in [(Place::After, curve.clone()), (Place::Before, curve.reversed())] {
-                if place_of_t != Some(side) {
-                    if let Some(more) = ends.continuation(inside) {
-                        svg.path(&more.path(), Stroke::solid(style::BEYOND, 1.2));
-                        obstacles.add(&more.samples(6), 0.3);
-                    }
+                let more = ends.continuation(|point| scene.view.rect.contains(point));
+                if let Some(more) = more.filter(|more| place_of_t != Some(side) && distance(more.start(), more.end()) > 1.0) {
+                    svg.path(&more.path(), Stroke::solid(style::BEYOND, 1.2));
+                    obstacles.add(&more.samples(6), 0.4);
                 }
             }
         }
@@ -192,18 +185,43 @@ impl CurvePicture {
             svg.path(&more.path(), Stroke::dashed(style::CURVE, 1.8, "6 5"));
             obstacles.add(&more.samples(CHORDS / 2), 0.8);
         }
-        svg.path(&curve.path(), Stroke::solid(style::CURVE, 2.6));
-        let chords = curve.samples(CHORDS);
-        obstacles.add(&chords, 1.0);
+        svg.path(&curve.path(), Stroke::solid(style::CURVE, if self.depth.is_some() { 2.0 } else { 2.6 }));
+        obstacles.add(&curve.samples(CHORDS), 1.7);
         let mut dots = scene.control();
         dots.extend(scene.layers().into_iter().flatten().chain(scene.point()));
-        if let Some((tip, head)) = arrow(&curve, &dots) {
-            svg.filled(&head, style::CURVE);
-            obstacles.dots.push((tip, 7.0));
+        if let Some(depth) = self.depth.filter(|&depth| depth <= MAX_MARKED) {
+            dots.extend(curve.samples(1 << depth));
         }
-        if let Some(depth) = self.depth.filter(|&depth| depth <= 6) {
-            for piece in curve.subdivide(depth).iter().skip(1) {
-                svg.dot(piece.start(), if depth <= 4 { 3.4 } else { 2.2 }, "#ffffff", Stroke::solid(style::CURVE, 1.5), "");
+        if let Some((middle, outline)) = arrow(&curve, &dots) {
+            svg.filled(&outline, style::CURVE);
+            obstacles.dots.push((middle, 7.0));
+        }
+        svg.close();
+    }
+
+    /// The control polygons of the pieces, and where they meet.
+    fn draw_pieces(&self, svg: &mut Svg, scene: &Scene, obstacles: &mut Obstacles) {
+        let Some(depth) = self.depth else { return };
+        let pieces = scene.curve().subdivide(depth);
+        // The dots of short pieces are small.
+        let length = |piece: &Bezier| piece.0.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f64>();
+        let shortest = pieces.iter().map(length).fold(f64::INFINITY, f64::min);
+        let radius = (shortest / 8.0).clamp(2.2, 3.6);
+        svg.open("pieces");
+        for (index, piece) in pieces.iter().enumerate() {
+            let colour = style::PIECES[index % 2];
+            svg.polyline(&piece.0, Stroke::solid(colour, 1.4));
+            if depth <= MAX_MARKED {
+                obstacles.add(&piece.0, 0.5);
+                let inner = piece.0.iter().skip(1).take(self.segment.degree().saturating_sub(1));
+                for &point in inner.filter(|_| self.segment.degree() <= MAX_LABELLED_STEPS) {
+                    svg.dot(point, radius * 0.7, colour, Stroke::solid("#ffffff", 0.4), "");
+                }
+            }
+        }
+        if depth <= MAX_MARKED {
+            for piece in pieces.iter().skip(1) {
+                svg.dot(piece.start(), radius, "#ffffff", Stroke::solid(style::CURVE, 1.6), "");
                 obstacles.dots.push((piece.start(), 3.5));
             }
         }
@@ -223,10 +241,10 @@ impl CurvePicture {
             marks.push(Mark { at, rank: Rank::Control, name: control_name(degree, index), value: value.to_vec(), told, outward });
         }
         let (Some(t), Some(point)) = (&self.parameter, scene.point()) else { return Ok(marks) };
-        let scheme = self.segment.scheme(t)?;
         let layers = scene.layers();
+        let scheme = if layers.is_empty() { None } else { Some(self.segment.scheme(t)?) };
         for (step, layer) in layers.iter().enumerate().skip(1).take(degree.saturating_sub(1)) {
-            for (index, (&at, value)) in layer.iter().zip(scheme.layer(step)).enumerate() {
+            for (index, (&at, value)) in layer.iter().zip(scheme.iter().flat_map(|scheme| scheme.layer(step))).enumerate() {
                 let arguments = [("r", degree - index - step), ("s", index), ("t", step)];
                 let name = if degree <= MAX_LABELLED_STEPS { polar_name(&arguments) } else { String::new() };
                 let outward = away(point, at, 1.0);
@@ -236,7 +254,7 @@ impl CurvePicture {
         let outer = layers.iter().rev().nth(2).or(layers.first()).map_or(middle, |layer| mean(layer));
         let name = format!("F({})", short(t));
         let outward = away(outer, point, 1.0);
-        marks.push(Mark { at: point, rank: Rank::Point, name, value: scheme.point().to_vec(), told: true, outward });
+        marks.push(Mark { at: point, rank: Rank::Point, name, value: self.segment.value(t)?, told: true, outward });
         Ok(marks)
     }
 }
@@ -254,24 +272,4 @@ fn away(from: Point, at: Point, length: f64) -> Point {
 
 fn add(a: Point, b: Point) -> Point {
     [a[0] + b[0], a[1] + b[1]]
-}
-
-/// An arrow head on the curve that shows where the parameter grows, at a place
-/// away from the dots.
-fn arrow(curve: &Bezier, dots: &[Point]) -> Option<(Point, String)> {
-    let room = |at: Point| dots.iter().map(|&dot| distance(dot, at)).fold(f64::INFINITY, f64::min);
-    let parts = [0.5, 0.45, 0.55, 0.4, 0.6, 0.35, 0.65, 0.3, 0.7, 0.25, 0.75, 0.2, 0.8];
-    let found = parts.into_iter().map(|part| (curve.split(part).0, part)).find(|(before, _)| room(before.end()) > 22.0);
-    let (before, part) = found?;
-    let at = before.end();
-    let ahead = curve.split(part + 0.02).0.end();
-    let behind = curve.split(part - 0.02).0.end();
-    let whole = distance(behind, ahead);
-    if whole < 0.5 {
-        return None;
-    }
-    let along = [(ahead[0] - behind[0]) / whole, (ahead[1] - behind[1]) / whole];
-    let corner = |forward: f64, aside: f64| [at[0] + forward * along[0] - aside * along[1], at[1] + forward * along[1] + aside * along[0]];
-    let [tip, left, notch, right] = [corner(7.0, 0.0), corner(-6.0, 5.0), corner(-3.5, 0.0), corner(-6.0, -5.0)];
-    Some((mix(tip, notch, 0.5), format!("M{} L{} L{} L{}", place(tip), place(left), place(notch), place(right))))
 }

@@ -2,7 +2,7 @@
 
 use super::bezier::{Point, distance};
 use super::label::Label;
-use super::number::{lowered, raised, tuple};
+use super::number::{equation, lowered, raised, tuple};
 use super::style;
 use super::svg::{Stroke, Svg};
 use crate::exact::Rational;
@@ -83,7 +83,7 @@ impl Mark {
     }
 
     fn told(&self) -> String {
-        format!("{} = {}", self.name, tuple(&self.value))
+        equation(&self.name, &tuple(&self.value))
     }
 }
 
@@ -92,8 +92,8 @@ pub(super) fn draw_dots(svg: &mut Svg, marks: &[Mark]) {
     let shrink = if marks.len() > 40 { 0.6 } else { 1.0 };
     let mut sorted: Vec<&Mark> = marks.iter().collect();
     sorted.sort_by_key(|mark| match mark.rank {
-        Rank::Control => (0, 0),
-        Rank::Step(step, _) => (1, step),
+        Rank::Step(step, _) => (0, step),
+        Rank::Control => (1, 0),
         Rank::Point => (2, 0),
     });
     svg.open("points");
@@ -115,14 +115,13 @@ pub(super) fn labels(marks: &[Mark]) -> Vec<Label> {
     let mut named: Vec<&Mark> = marks.iter().filter(|mark| !mark.name.is_empty()).collect();
     named.sort_by_key(order);
     for mark in named {
-        let beside = |group: &&mut Vec<&Mark>| group.first().is_some_and(|first| distance(first.at, mark.at) < SAME);
-        let is_step = matches!(mark.rank, Rank::Step(..));
-        let same_kind = |group: &&mut Vec<&Mark>| group.first().is_some_and(|first| order(first) == order(&mark));
+        let beside = |group: &[&Mark]| group.first().is_some_and(|first| distance(first.at, mark.at) < SAME);
+        let alike = |group: &[&Mark]| group.first().is_some_and(|first| order(first) == order(&mark));
         // An intermediate point that coincides with a control point needs no name of its own.
-        if is_step && groups.iter_mut().any(|mut group| beside(&&mut group) && !same_kind(&&mut group)) {
+        if matches!(mark.rank, Rank::Step(..)) && groups.iter().any(|group| beside(group) && !alike(group)) {
             continue;
         }
-        match groups.iter_mut().find(|group| beside(group) && same_kind(group)) {
+        match groups.iter_mut().find(|group| beside(group) && alike(group)) {
             Some(group) => group.push(mark),
             None => groups.push(vec![mark]),
         }
@@ -134,7 +133,7 @@ fn label(group: &[&Mark]) -> Option<Label> {
     let (first, last) = (*group.first()?, *group.last()?);
     let outward = group.iter().fold([0.0, 0.0], |sum, mark| [sum[0] + mark.outward[0], sum[1] + mark.outward[1]]);
     let is_step = matches!(first.rank, Rank::Step(..));
-    let value = if first.told { format!("= {}", tuple(&first.value)) } else { String::new() };
+    let value = if first.told { equation("", &tuple(&first.value)).trim_start().to_owned() } else { String::new() };
     let mut lines = Vec::new();
     if group.iter().all(|mark| mark.value == first.value) {
         let names = match group {

@@ -4,6 +4,7 @@
 //! point lies is computed exactly; floats are used only for the coordinates of
 //! ink, after the bounding box has been mapped to the paper.
 
+mod arrow;
 mod axes;
 mod bezier;
 mod caption;
@@ -17,5 +18,8 @@ mod style;
 mod svg;
 mod ticks;
 mod view;
+
+#[cfg(test)]
+mod tests;
 
 pub use curve::CurvePicture;

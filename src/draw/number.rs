@@ -100,6 +100,14 @@ fn shifted(character: char, digits: [char; 10], minus: char) -> char {
     }
 }
 
+/// A name and its value, which may be abbreviated.
+pub(super) fn equation(name: &str, value: &str) -> String {
+    match value.strip_prefix('≈') {
+        Some(digits) => format!("{name} ≈ {digits}"),
+        None => format!("{name} = {value}"),
+    }
+}
+
 /// A point, or the number itself in one dimension.
 pub(super) fn tuple(point: &[Rational]) -> String {
     let entries: Vec<String> = point.iter().map(short).collect();

@@ -2,12 +2,12 @@
 
 use std::borrow::Cow;
 
+use super::axes::margin;
 use super::bezier::{Bezier, Point};
 use super::space::Space;
 use super::view::{Fit, View};
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::scheme::Scheme;
 use crate::segment::Segment;
 
 /// The largest degree whose steps are drawn.
@@ -20,8 +20,7 @@ pub(super) struct Scene {
     control: Vec<Vec<Rational>>,
     /// The curve as it is drawn, which has as many control points, or one more for a constant graph.
     curve: Segment,
-    /// The places of the points of de Casteljau's algorithm, if asked for.
-    scheme: Option<Scheme>,
+    steps: Steps,
     /// The shadow of the curve on the floor.
     shadow: Option<Segment>,
     pub(super) space: Option<Space>,
@@ -56,25 +55,14 @@ fn mapped(segment: &Segment, map: impl Fn(&[Rational]) -> Result<Vec<Rational>, 
 
 impl Scene {
     pub(super) fn new(segment: &Segment, parameter: Option<&Rational>, [azimuth, elevation]: [i32; 2], top: f64) -> Result<Self, Error> {
-        let place = parameter.map(|t| place_of(segment, t));
-        let shown = |scheme: &Scheme| -> Vec<Vec<Rational>> {
-            if steps_are_drawn(segment.degree()) {
-                return scheme.layers().flat_map(|layer| layer.map(<[Rational]>::to_vec)).collect();
-            }
-            match place {
-                Some(Place::Before) => scheme.left().map(<[Rational]>::to_vec).collect(),
-                Some(Place::After) => scheme.right().map(<[Rational]>::to_vec).collect(),
-                _ => Vec::new(),
-            }
-        };
         let (mut space, mut shadow) = (None, None);
         let curve = match segment.dimension() {
             // The graph of a constant is a line.
             1 => graph(&if segment.degree() == 0 { segment.elevate(1) } else { segment.clone() })?,
             2 => segment.clone(),
             3 => {
-                let more = parameter.map(|t| segment.scheme(t)).transpose()?.as_ref().map_or_else(Vec::new, shown);
-                let found = Space::new(segment.points().chain(more.iter().map(Vec::as_slice)), azimuth, elevation)?;
+                let steps = Steps::of(segment, parameter)?;
+                let found = Space::new(segment.points().chain(steps.points()), azimuth, elevation)?;
                 shadow = Some(mapped(segment, |point| found.flat(&found.below(point)))?);
                 let curve = mapped(segment, |point| found.flat(point))?;
                 space = Some(found);
@@ -86,22 +74,23 @@ impl Scene {
                 )));
             }
         };
-        let scheme = parameter.map(|t| curve.scheme(t)).transpose()?;
+        let steps = Steps::of(&curve, parameter)?;
         let control = if curve.degree() == segment.degree() {
             curve.points().map(<[Rational]>::to_vec).collect()
         } else {
             vec![curve.value(&segment.frame().at(&Rational::new(1, 2)))?]
         };
-        let extra = scheme.as_ref().map_or_else(Vec::new, shown);
         let corners = space.as_ref().map_or_else(|| Ok(Vec::new()), Space::corners)?;
         let fit = match segment.dimension() {
             1 => Fit::Free,
             2 => Fit::Equal,
             _ => Fit::Rigid,
         };
-        let left = if space.is_some() { 20.0 } else { 62.0 };
-        let view = View::of(curve.points().chain(extra.iter().chain(&corners).map(Vec::as_slice)), fit, [left, top]);
-        Ok(Self { control, curve, scheme, shadow, space, view })
+        // Above a box in space there is nothing to name.
+        let top = if space.is_some() { top - 24.0 } else { top };
+        let mut view = View::of(curve.points().chain(steps.points()).chain(corners.iter().map(Vec::as_slice)), fit, [0.0, top]);
+        view.shift_right(if space.is_some() { 10.0 } else { margin(&view) });
+        Ok(Self { control, curve, steps, shadow, space, view })
     }
 
     fn bezier<'a>(&self, points: impl Iterator<Item = &'a [Rational]>) -> Bezier {
@@ -125,27 +114,50 @@ impl Scene {
 
     /// The layers of de Casteljau's algorithm on the paper, if they are few enough.
     pub(super) fn layers(&self) -> Vec<Vec<Point>> {
-        match &self.scheme {
-            Some(scheme) if steps_are_drawn(scheme.degree()) => {
-                scheme.layers().map(|layer| layer.map(|point| self.view.place(point)).collect()).collect()
-            }
-            _ => Vec::new(),
-        }
+        let layers = self.steps.layers.iter();
+        layers.map(|layer| layer.iter().map(|point| self.view.place(point)).collect()).collect()
     }
 
     /// The point `F(t)` on the paper.
     pub(super) fn point(&self) -> Option<Point> {
-        self.scheme.as_ref().map(|scheme| self.view.place(scheme.point()))
+        self.steps.point.as_ref().map(|point| self.view.place(point))
     }
 
-    /// The curve from the frame on to a parameter outside of it.
+    /// The curve between the frame and a parameter outside of it.
     pub(super) fn beyond(&self) -> Option<Bezier> {
-        let scheme = self.scheme.as_ref()?;
-        match place_of(&self.curve, scheme.parameter()) {
+        self.steps.beyond.as_ref().map(|beyond| self.bezier(beyond.points()))
+    }
+}
+
+/// The points of de Casteljau's algorithm that are drawn.
+#[derive(Debug, Default)]
+struct Steps {
+    /// All layers, or none if they are too many.
+    layers: Vec<Vec<Vec<Rational>>>,
+    point: Option<Vec<Rational>>,
+    /// The curve between the frame and a parameter outside of it.
+    beyond: Option<Segment>,
+}
+
+impl Steps {
+    fn of(curve: &Segment, parameter: Option<&Rational>) -> Result<Self, Error> {
+        let Some(t) = parameter else { return Ok(Self::default()) };
+        let layers = if steps_are_drawn(curve.degree()) {
+            curve.scheme(t)?.layers().map(|layer| layer.map(<[Rational]>::to_vec).collect()).collect()
+        } else {
+            Vec::new()
+        };
+        let beyond = match place_of(curve, t) {
             Place::Inside => None,
-            Place::Before => Some(self.bezier(scheme.left())),
-            Place::After => Some(self.bezier(scheme.right())),
-        }
+            Place::Before => Some(curve.split(t)?.0),
+            Place::After => Some(curve.split(t)?.1),
+        };
+        Ok(Self { layers, point: Some(curve.value(t)?), beyond })
+    }
+
+    fn points(&self) -> impl Iterator<Item = &[Rational]> + Clone {
+        let beyond = self.beyond.iter().flat_map(Segment::points);
+        self.layers.iter().flatten().chain(&self.point).map(Vec::as_slice).chain(beyond)
     }
 }
 

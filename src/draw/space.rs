@@ -3,8 +3,8 @@
 
 use num_traits::{One, Signed, Zero};
 
-use super::bezier::{Point, mix, place, polygon};
-use super::label::width;
+use super::bezier::{Point, distance, mix, polygon};
+use super::label::{Obstacles, width};
 use super::style;
 use super::svg::{Anchor, Stroke, Svg, Type};
 use super::ticks::Step;
@@ -94,75 +94,85 @@ impl Space {
         self.ranges.iter().zip(upper).map(|((low, high), upper)| if upper { high.clone() } else { low.clone() }).collect()
     }
 
-    /// The corners of the box on the plane.
+    /// The corners of the floor on the plane, and what is above the left one.
     pub(super) fn corners(&self) -> Result<Vec<Vec<Rational>>, Error> {
-        (0..8).map(|bits| self.flat(&self.corner([bits & 1 != 0, bits & 2 != 0, bits & 4 != 0]))).collect()
+        let [x, y] = self.left();
+        let floor = (0..4).map(|bits| self.corner([bits & 1 != 0, bits & 2 != 0, false]));
+        floor.chain([self.corner([x, y, true])]).map(|corner| self.flat(&corner)).collect()
     }
 
-    /// Draws the floor with its lines and numbers, and one upright edge.
-    pub(super) fn draw(&self, svg: &mut Svg, view: &View) -> Result<(), Error> {
-        let seen = |point: &[Rational]| -> Result<Point, Error> { Ok(view.place(&self.flat(point)?)) };
-        let [far_x, far_y] = self.upper_is_near.map(|near| !near);
+    /// The corner of the floor that is seen at the left, of the two that the near edges end in.
+    fn left(&self) -> [bool; 2] {
         let [near_x, near_y] = self.upper_is_near;
-        let ring = [[near_x, near_y], [near_x, far_y], [far_x, far_y], [far_x, near_y]];
+        let corners = [[near_x, !near_y], [!near_x, near_y]];
+        // An error would have come up before: the corners have three coordinates.
+        let over = |[x, y]: [bool; 2]| self.flat(&self.corner([x, y, false])).ok().and_then(|point| point.first().cloned());
+        if over(corners[0]) < over(corners[1]) { corners[0] } else { corners[1] }
+    }
+
+    /// Draws the floor with its lines and numbers, and the upright edge at the left.
+    pub(super) fn draw(&self, svg: &mut Svg, view: &View, obstacles: &mut Obstacles) -> Result<(), Error> {
+        let seen = |point: &[Rational]| -> Result<Point, Error> { Ok(view.place(&self.flat(point)?)) };
+        let [near_x, near_y] = self.upper_is_near;
+        let [left_x, left_y] = self.left();
+        let ring = [[near_x, near_y], [near_x, !near_y], [!near_x, !near_y], [!near_x, near_y]];
         let ring = ring.iter().map(|&[x, y]| seen(&self.corner([x, y, false]))).collect::<Result<Vec<Point>, _>>()?;
-        let centre = mix(ring[0], ring[2], 0.5);
         svg.open("floor");
         svg.filled(&polygon(&ring), style::FLOOR);
-        let upright = if ring[1][0] < ring[3][0] { (1, [near_x, far_y]) } else { (3, [far_x, near_y]) };
-        let top = seen(&self.corner([upright.1[0], upright.1[1], true]))?;
-        // The near edges carry the numbers of x and y, an upright edge at the left those of z.
+        obstacles.add(&[ring[0], ring[1], ring[2], ring[3], ring[0]], 0.3);
         for axis in 0..3 {
+            let start = if axis == 2 { [left_x, left_y, false] } else { [near_x, near_y, false] };
+            let mut opposite = start;
+            opposite[1 - axis.min(1)] ^= true;
             let (low, high) = &self.ranges[axis];
+            let mut places = Vec::new();
             let mut outward = [-1.0, 0.0];
-            for (value, text) in self.steps[axis].ticks(low, high) {
-                let mut from = self.corner(if axis == 2 { [upright.1[0], upright.1[1], false] } else { [near_x, near_y, false] });
-                from[axis] = value;
-                let start = seen(&from)?;
-                if axis < 2 {
-                    let mut to = self.corner([far_x, far_y, false]);
-                    to[axis].clone_from(&from[axis]);
-                    let end = seen(&to)?;
-                    svg.line(start, end, Stroke::solid(style::GRID_IN_SPACE, 1.0));
-                    let length = super::bezier::distance(start, end).max(1e-9);
-                    outward = [(start[0] - end[0]) / length, (start[1] - end[1]) / length];
+            for (index, (value, text)) in self.steps[axis].ticks(low, high).into_iter().enumerate() {
+                let along = |corner: [bool; 3]| {
+                    let mut point = self.corner(corner);
+                    point[axis].clone_from(&value);
+                    seen(&point)
+                };
+                let at = along(start)?;
+                places.push(at);
+                if axis == 2 {
+                    svg.line(at, [at[0] - 4.0, at[1]], Stroke::solid(style::AXIS, 1.0));
                 } else {
-                    svg.line(start, [start[0] - 4.0, start[1]], Stroke::solid(style::AXIS, 1.0));
+                    let end = along(opposite)?;
+                    svg.line(at, end, Stroke::solid(style::GRID_IN_SPACE, 1.0));
+                    let length = distance(at, end);
+                    outward = if length > 1.0 { [(at[0] - end[0]) / length, (at[1] - end[1]) / length] } else { [0.0, 1.0] };
                 }
-                self.number(svg, start, outward, &text);
+                // The lowest number of z would stand on one of x or y.
+                if axis < 2 || index > 0 {
+                    obstacles.dots.push((number(svg, at, outward, &text), 6.0));
+                }
             }
-            let ends = match axis {
-                0 => [ring[0], ring[3]],
-                1 => [ring[0], ring[1]],
-                _ => [ring[upright.0], top],
-            };
-            svg.path(&format!("M{} L{}", place(ends[0]), place(ends[1])), Stroke::solid(style::AXIS, 1.1));
-            let name = ["x", "y", "z"][axis];
-            let at = if axis == 2 {
-                [top[0], top[1] - 10.0]
+            let (Some(&first), Some(&last)) = (places.first(), places.last()) else { continue };
+            svg.line(first, last, Stroke::solid(style::AXIS, 1.2));
+            obstacles.add(&[first, last], 0.3);
+            let name = if axis == 2 {
+                [last[0], last[1] - 11.0]
             } else {
-                let middle = mix(ends[0], ends[1], 0.5);
-                let away = if outward[1].abs() < 0.05 { [0.0, (middle[1] - centre[1]).signum()] } else { outward };
-                [middle[0] + 40.0 * away[0], middle[1] + 40.0 * away[1] + 4.0]
+                let middle = mix(first, last, 0.5);
+                [middle[0] + 42.0 * outward[0], middle[1] + 42.0 * outward[1] + 4.0]
             };
-            svg.text(at, name, Type { bold: true, ..Type::new(13.0, style::QUIET_TEXT, Anchor::Middle) });
+            svg.text(name, ["x", "y", "z"][axis], Type { bold: true, ..Type::new(13.0, style::QUIET_TEXT, Anchor::Middle) });
+            obstacles.dots.push(([name[0], name[1] - 4.0], 8.0));
         }
         svg.close();
         Ok(())
     }
+}
 
-    fn number(&self, svg: &mut Svg, at: Point, outward: Point, text: &str) {
-        let anchor = match outward[0] {
-            x if x > 0.5 => Anchor::Start,
-            x if x < -0.5 => Anchor::End,
-            _ => Anchor::Middle,
-        };
-        // A text in the middle moves down by its height, one beside the edge hardly.
-        let lower = 4.0 + 5.0 * outward[1].max(0.0);
-        let reach = 9.0 + if anchor == Anchor::Middle { width(text, 2.0) } else { 0.0 };
-        let [x, y] = [at[0] + reach * outward[0], at[1] + reach * outward[1] + lower];
-        svg.text([x, y], text, Type::new(style::TICK_SIZE, style::QUIET_TEXT, anchor));
-    }
+/// Writes a number beside an edge; gives the middle of the text.
+fn number(svg: &mut Svg, at: Point, outward: Point, text: &str) -> Point {
+    let half = width(text, style::TICK_SIZE) / 2.0;
+    // A text beside the edge needs half of its width, one below it half of its height.
+    let reach = 8.0 + half * outward[0].abs() + 4.0 * outward[1].abs();
+    let middle = [at[0] + reach * outward[0], at[1] + reach * outward[1]];
+    svg.text([middle[0], middle[1] + 4.0], text, Type::new(style::TICK_SIZE, style::QUIET_TEXT, Anchor::Middle));
+    middle
 }
 
 #[cfg(test)]

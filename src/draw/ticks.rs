@@ -7,7 +7,7 @@ use super::number::{ceil, decimal, floor, leading_exponent, power_of_ten, short}
 use crate::exact::Rational;
 
 /// The longest text that fits beside an axis.
-const LONGEST: usize = 9;
+const LONGEST: usize = 11;
 /// More ticks than an axis of the picture has room for.
 const MOST: usize = 100;
 

@@ -14,7 +14,7 @@ const INSET: [i64; 2] = [80, 46];
 /// The most pixels the points may take.
 const ROOM: [i64; 2] = [476, 430];
 /// The fewest pixels the plot offers to them.
-const LEAST: [i64; 2] = [300, 150];
+const LEAST: [i64; 2] = [400, 150];
 /// The height of a plot whose axes have nothing to do with one another.
 const FREE_HEIGHT: i64 = 320;
 /// How many times longer one side may be before the axes get scales of their own.
@@ -123,12 +123,8 @@ impl View {
             fit = Fit::Free;
         }
         let single = width.is_zero() && height.is_zero();
-        let around = low.iter().map(surroundings).max().unwrap_or_else(Rational::one);
-        let around = if low.iter().any(|number| !number.is_zero()) {
-            low.iter().filter(|number| !number.is_zero()).map(surroundings).max().unwrap_or(around)
-        } else {
-            around
-        };
+        let nonzero = low.iter().filter(|number| !number.is_zero());
+        let around = nonzero.map(surroundings).max().unwrap_or_else(Rational::one);
         for axis in 0..2 {
             if low[axis] == high[axis] && (single || fit == Fit::Free) {
                 let half = if fit == Fit::Free { surroundings(&low[axis]) } else { around.clone() };
@@ -146,6 +142,12 @@ impl View {
         let [left, top] = corner;
         let rect = Rect { left, top, right: left + size[0].approximate(), bottom: top + size[1].approximate() };
         Self { low, scale, shift, size, rect }
+    }
+
+    /// Moves the plot to the right.
+    pub(super) fn shift_right(&mut self, by: f64) {
+        self.rect.left += by;
+        self.rect.right += by;
     }
 
     /// The place of a point.
