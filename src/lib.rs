@@ -35,12 +35,12 @@
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
 //! | [`value`], `model` | what operations take and give; shapes in files |
-//! | `curve`, `segment`, `scheme`, `bernstein`, `hull`, `flatness`, `blossom`, `matrix` | the nouns |
+//! | `curve`, `segment`, `scheme`, `bernstein`, `hull`, `flatness`, `blossom`, `matrix`, `roots` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
 //! | `symbolic` | symbols, monomials, polynomials |
-//! | `exact` | rational numbers, decimals, gcds, roots |
+//! | `exact` | rational numbers, decimals, gcds, widths of integers |
 //! | `error` | what can be wrong with a request |
 //!
 //! The library without the default feature `cli` has no command line, no JSON
@@ -65,6 +65,7 @@ mod matrix;
 pub mod model;
 pub mod ops;
 pub mod report;
+mod roots;
 mod scheme;
 mod segment;
 mod symbolic;
@@ -76,10 +77,11 @@ pub use bernstein::Bernstein;
 pub use blossom::{PolarDefect, PolarForm, check_polar_form, polar_symbol, sigma, symmetric_terms};
 pub use curve::Curve;
 pub use error::Error;
-pub use exact::{MAX_DIGITS, ParseNumberError, Rational, RealRoots, Root, RootPlace};
+pub use exact::{MAX_DIGITS, ParseNumberError, Rational};
 pub use flatness::Flattening;
 pub use hull::{ConvexHull, bounding_box};
 pub use kernel::coefficient::Coefficient;
+pub use roots::{RealRoots, Root, RootPlace};
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
 pub use symbolic::{Monomial, Polynomial, Symbol};

@@ -10,7 +10,7 @@ const LAYERS: &[&[&str]] = &[
     &["syntax"],
     &["kernel"],
     &["affine"],
-    &["curve", "segment", "scheme", "bernstein", "hull", "flatness", "blossom", "matrix"],
+    &["curve", "segment", "scheme", "bernstein", "hull", "flatness", "blossom", "matrix", "roots"],
     &["value", "model"],
     &["report", "draw"],
     &["ops"],

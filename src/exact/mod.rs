@@ -5,9 +5,8 @@ pub(crate) mod decimal;
 pub(crate) mod gcd;
 pub(crate) mod magnitude;
 mod rational;
-mod roots;
+pub(crate) mod univariate;
 pub(crate) mod width;
 
 pub use decimal::{MAX_DIGITS, ParseNumberError};
 pub use rational::Rational;
-pub use roots::{RealRoots, Root, RootPlace};

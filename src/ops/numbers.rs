@@ -1,12 +1,11 @@
 //! Operations on numbers and on polynomials in one variable.
 
-use num_traits::{Signed, Zero};
-
 use crate::bernstein::Bernstein;
 use crate::blossom;
 use crate::error::Error;
-use crate::exact::{RealRoots, Root, RootPlace};
+use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::roots::{RealRoots, Root, RootPlace, sign_variations};
 use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn sigma<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>, Error> {
@@ -54,26 +53,18 @@ pub(super) fn roots(arguments: &Arguments) -> Result<Answer, Error> {
             segment.dimension()
         )));
     }
-    let mut variations = 0usize;
-    let mut previous_negative = None;
-    for value in segment.coordinates().iter().filter(|value| !value.is_zero()) {
-        variations += usize::from(previous_negative == Some(!value.is_negative()));
-        previous_negative = Some(value.is_negative());
-    }
+    let signs: Vec<_> = segment.coordinates().iter().map(Rational::numer).collect();
+    let variations = sign_variations(signs.iter());
     let curve = segment.curve()?;
     let coefficients: Vec<_> = curve.coordinate(0).cloned().collect();
-    let Some(roots) = RealRoots::of(&coefficients) else {
-        return Err(Error::Unsupported("the polynomial is zero everywhere: the whole curve lies in the line or plane".into()));
-    };
-    let (r, s) = (segment.frame().r(), segment.frame().s());
-    let (low, high) = if r < s { (r, s) } else { (s, r) };
+    let roots = RealRoots::inside(&coefficients, segment.frame())?;
     let mut fields = vec![
         ("sign_variations", Value::Count(variations)),
-        ("distinct_roots_open", Value::Count(roots.distinct_between(low, high))),
-        ("roots_with_multiplicity_open", Value::Count(roots.with_multiplicity_between(low, high))),
+        ("distinct_roots_open", Value::Count(roots.distinct())),
+        ("roots_with_multiplicity_open", Value::Count(roots.with_multiplicity())),
     ];
     if arguments.flag("isolate") {
-        fields.push(("roots", Value::List(roots.between(low, high).into_iter().map(root).collect())));
+        fields.push(("roots", Value::List(roots.isolated().into_iter().map(root).collect())));
     }
     Ok(Answer::new(fields))
 }
