@@ -17,7 +17,7 @@ pub enum RootPlace {
     /// The root is this number.
     Exact(Rational),
     /// The root lies strictly between these two. It is irrational, or has a
-    /// denominator above `2^256`.
+    /// denominator above `2^64`.
     Between(Rational, Rational),
 }
 
@@ -79,7 +79,7 @@ impl RealRoots {
     /// Intervals are shown at most this part of the frame long.
     const SHOWN: i64 = 256;
     /// Rational roots are recognized up to denominators of this many bits.
-    const DENOMINATOR_BITS: u32 = 256;
+    const DENOMINATOR_BITS: u32 = 64;
 
     /// The roots in the open interval between the ends of a frame of the
     /// polynomial with these coefficients in ascending powers.

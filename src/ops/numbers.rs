@@ -1,5 +1,7 @@
 //! Operations on numbers and on polynomials in one variable.
 
+use num_traits::Zero;
+
 use crate::bernstein::Bernstein;
 use crate::blossom;
 use crate::error::Error;
@@ -46,6 +48,9 @@ pub(super) fn roots(arguments: &Arguments) -> Result<Answer, Error> {
     let mut segment = arguments.segment()?;
     if let Ok(plane) = arguments.map("plane") {
         segment = segment.transform(plane)?;
+        if segment.coordinates().iter().all(Zero::is_zero) {
+            return Err(Error::Unsupported("the whole curve lies in the line or plane".into()));
+        }
     }
     if segment.dimension() != 1 {
         return Err(Error::WrongShape(format!(
