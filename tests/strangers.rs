@@ -63,7 +63,7 @@ fn texts_of_any_size_and_depth() {
     refused(&["polar", "t", "--degree", "999999999999999999999999"], b"", "at most");
     refused(&["polar", "t^12", "--degree", "4000", "--expand"], b"", "terms");
     refused(&["polar", "t^12", "--degree", "4000", "--format", "json"], b"", "terms");
-    refused(&["plot", "(t,t,t,t)"], b"", "coordinates");
+    refused(&["plot", "(t,t,t,t)", "-q"], b"", "coordinates");
     refused(&["eval", "(0,0) (1,1)", "--at", ""], b"", "found nothing");
 }
 
@@ -223,4 +223,20 @@ proptest! {
             prop_assert!(answer.get("output").is_some() || answer["error"]["code"].is_string());
         }
     }
+}
+
+/// Work that would take minutes or gigabytes is refused before it starts.
+#[test]
+fn large_but_legal_work_has_limits() {
+    let long = "7".repeat(9000);
+    refused(&["points", "t^4096", "--over", &format!("0..{long}")], b"", "beyond the limit");
+    refused(&["split", "(0,0) (1,1)", "--depth", "20", "-q"], b"", "beyond the limit");
+    refused(&["elevate", "(0,0) (1,1)", "--by", "4096", "-q"], b"", "beyond the limit");
+    refused(&["bernstein", "--degree", "4000"], b"", "beyond the limit");
+    refused(&["points", "t^60", "--over", "r..s"], b"", "symbolic");
+    refused(&["points", "a t^400", "--over", "0..1"], b"", "symbolic");
+    let many = format!("[{}]", vec!["1"; 3000].join(","));
+    refused(&["eval", "-", "--at", "1/3", "--steps", "-q"], many.as_bytes(), "beyond the limit");
+    refused(&["product", "-", &many, "-q"], many.as_bytes(), "beyond the limit");
+    refused(&["roots", "-", "-q"], format!("[1,{}2]", "0,".repeat(2000)).as_bytes(), "beyond the limit");
 }

@@ -7,7 +7,7 @@ use std::io::{self, BufRead, BufReader, Read, Write};
 use serde_json::value::RawValue;
 
 use crate::model::{Fault, Fields};
-use crate::ops::{Operation, Run};
+use crate::ops::Operation;
 use crate::report::json;
 
 /// The most bytes of one request.
@@ -80,10 +80,7 @@ fn carry_out(request: &Fields<'_>) -> Result<serde_json::Value, Fault> {
     let name: String = crate::model::plain(request.require("op", "a request")?, "the name of an operation")?;
     let operation = Operation::named(&name).ok_or_else(|| unknown_operation(&name))?;
     let arguments = decode::arguments(operation, request.require("input", "a request")?)?;
-    let answer = match operation.run {
-        Run::Any(run, _) | Run::Numeric(run) => run(&arguments)?,
-    };
-    Ok(json::output(&answer)?)
+    Ok(json::output(&operation.on_numbers(&arguments)?)?)
 }
 
 fn unknown_operation(name: &str) -> Fault {

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 use clap::ArgMatches;
 
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::{Operation, Run};
+use crate::ops::Operation;
 use crate::report::{self, Notation};
 use crate::symbolic::Symbol;
 use crate::syntax::Style;
@@ -86,10 +86,12 @@ fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
     if matches.get_count("verbose") > 0 {
         eprintln!("note: this is the operation {}", operation.name);
     }
-    match (arguments.numeric(), operation.run) {
-        (Ok(arguments), Run::Any(run, _) | Run::Numeric(run)) => finish(operation, matches, &arguments, run(&arguments)?),
-        (Err(_), Run::Any(_, run)) => finish(operation, matches, &arguments, run(&arguments)?),
-        (Err((symbol, name)), Run::Numeric(_)) => Err(read::needs_numbers(operation, symbol, name)),
+    match arguments.numeric() {
+        Ok(arguments) => finish(operation, matches, &arguments, operation.on_numbers(&arguments)?),
+        Err((symbol, name)) => match operation.on_symbols(&arguments) {
+            Some(answer) => finish(operation, matches, &arguments, answer?),
+            None => Err(read::needs_numbers(operation, symbol, name)),
+        },
     }
 }
 

@@ -53,6 +53,9 @@ pub trait Coefficient: sealed::Compute + PartialEq + fmt::Debug + fmt::Display +
 
     /// The value if it contains no symbolic parameter.
     fn as_rational(&self) -> Option<Rational>;
+
+    /// The number of bits of its longest part, times the number of parts.
+    fn bit_length(&self) -> u64;
 }
 
 pub(crate) mod sealed {
@@ -93,11 +96,19 @@ impl Coefficient for Rational {
     fn as_rational(&self) -> Option<Rational> {
         Some(self.clone())
     }
+
+    fn bit_length(&self) -> u64 {
+        self.bits()
+    }
 }
 
 impl Coefficient for Polynomial {
     fn as_rational(&self) -> Option<Rational> {
         Polynomial::as_rational(self)
+    }
+
+    fn bit_length(&self) -> u64 {
+        self.terms().map(|(_, coefficient)| coefficient.bits()).max().unwrap_or(0).saturating_mul(self.len() as u64)
     }
 }
 

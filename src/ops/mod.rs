@@ -6,8 +6,9 @@
 
 mod curve;
 mod geometry;
+mod limits;
 mod numbers;
 mod picture;
 mod table;
 
-pub use table::{Kind, OPERATIONS, Operation, Parameter, Run};
+pub use table::{Growth, Kind, OPERATIONS, Operation, Parameter, Run};

@@ -1,6 +1,6 @@
 //! The table of operations.
 
-use super::{curve, geometry, numbers, picture};
+use super::{curve, geometry, limits, numbers, picture};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::symbolic::Polynomial;
@@ -63,6 +63,17 @@ pub enum Run {
     Numeric(fn(&Arguments<Rational>) -> Result<Answer<Rational>, Error>),
 }
 
+/// How the size of an answer depends on the size of its arguments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Growth {
+    /// About as many numbers come out as go in.
+    Linear,
+    /// Every step of an algorithm, or a polynomial for every control point.
+    Quadratic,
+    /// Twice as much at every depth.
+    Doubling,
+}
+
 /// One operation.
 #[derive(Clone, Copy)]
 pub struct Operation {
@@ -78,11 +89,33 @@ pub struct Operation {
     pub example: &'static str,
     /// What it takes.
     pub parameters: &'static [Parameter],
+    /// How much it gives.
+    pub growth: Growth,
     /// How it is carried out.
     pub run: Run,
 }
 
 impl Operation {
+    /// Carries out the operation on numbers.
+    ///
+    /// # Errors
+    /// What the operation says, and [`Error::TooLarge`] if it would take too long.
+    pub fn on_numbers(&self, arguments: &Arguments<Rational>) -> Result<Answer<Rational>, Error> {
+        limits::check(self, arguments)?;
+        match self.run {
+            Run::Any(run, _) | Run::Numeric(run) => run(arguments),
+        }
+    }
+
+    /// Carries out the operation on symbolic parameters; `None` if it needs numbers.
+    #[must_use]
+    pub fn on_symbols(&self, arguments: &Arguments<Polynomial>) -> Option<Result<Answer<Polynomial>, Error>> {
+        match self.run {
+            Run::Any(_, run) => Some(limits::check(self, arguments).and_then(|()| run(arguments))),
+            Run::Numeric(_) => None,
+        }
+    }
+
     /// The operation with a name.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {
@@ -136,6 +169,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The polar form (blossom) of a curve",
         example: "casteljau polar '(3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)'",
         parameters: &[CURVE, DEGREE, optional("frame", Kind::Frame, "over", "also the control points over this frame r..s")],
+        growth: Growth::Linear,
         run: Run::Any(curve::polar, curve::polar),
     },
     Operation {
@@ -149,6 +183,7 @@ pub const OPERATIONS: &[Operation] = &[
             DEGREE,
             required("args", Kind::HomogeneousArguments, "at", "the value at these arguments, such as '-1 -1 3', '2^2 1' or '1 2 [0; 1]'"),
         ],
+        growth: Growth::Linear,
         run: Run::Any(curve::blossom_homogeneous, curve::blossom_homogeneous),
     },
     Operation {
@@ -158,6 +193,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "Whether a claimed polar form is symmetric, affine in every argument, and right on the diagonal",
         example: "casteljau polar 't^2 + t' --check 't1 t2 + (t1 + t2)/2'",
         parameters: &[CURVE, DEGREE, required("claim", Kind::Claim, "check", "a claimed polar form in t1, t2, …")],
+        growth: Growth::Linear,
         run: Run::Any(curve::check, curve::check),
     },
     Operation {
@@ -167,6 +203,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "A polar value",
         example: "",
         parameters: &[CURVE, required("args", Kind::Arguments, "at", "the arguments")],
+        growth: Growth::Linear,
         run: Run::Any(curve::blossom, curve::blossom),
     },
     Operation {
@@ -176,6 +213,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The control points of a curve over a frame",
         example: "casteljau points '(3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)' --over -1..3",
         parameters: &[CURVE, required("frame", Kind::Frame, "over", "the frame r..s; r > s is allowed"), DEGREE],
+        growth: Growth::Linear,
         run: Run::Any(curve::points, curve::points),
     },
     Operation {
@@ -185,6 +223,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The equation of the curve with these control points",
         example: "casteljau equation '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3",
         parameters: &[POINTS, OVER],
+        growth: Growth::Linear,
         run: Run::Any(curve::equation, curve::equation),
     },
     Operation {
@@ -194,6 +233,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The point of a curve at a parameter",
         example: "casteljau eval '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, AT],
+        growth: Growth::Linear,
         run: Run::Any(curve::eval, curve::eval),
     },
     Operation {
@@ -209,6 +249,7 @@ pub const OPERATIONS: &[Operation] = &[
             AT,
             optional("steps", Kind::Flag, "steps", "all intermediate points with their polar labels"),
         ],
+        growth: Growth::Quadratic,
         run: Run::Any(curve::casteljau, curve::casteljau),
     },
     Operation {
@@ -218,6 +259,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The control points of the two parts of a segment",
         example: "casteljau split '(0,0) (1,2) (3,2) (4,0)' --at 1/3",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, AT],
+        growth: Growth::Linear,
         run: Run::Any(curve::split, curve::split),
     },
     Operation {
@@ -233,6 +275,7 @@ pub const OPERATIONS: &[Operation] = &[
             required("depth", Kind::Count, "depth", "split in the middle this many times"),
             optional("polyline", Kind::Flag, "polyline", "the ends of the pieces instead of the pieces"),
         ],
+        growth: Growth::Doubling,
         run: Run::Any(curve::subdivide, curve::subdivide),
     },
     Operation {
@@ -242,6 +285,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The polyline that stays within a bound of the curve, in every coordinate",
         example: "casteljau split '(0,0) (1,2) (3,2) (4,0)' --flatness 1/10",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, required("flatness", Kind::Number, "flatness", "the bound, exact")],
+        growth: Growth::Linear,
         run: Run::Numeric(geometry::flatten),
     },
     Operation {
@@ -251,6 +295,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The control points of the same curve over another frame",
         example: "casteljau reframe '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --to 0..1",
         parameters: &[POINTS, OVER, required("new_frame", Kind::Frame, "to", "the new frame r..s")],
+        growth: Growth::Linear,
         run: Run::Any(curve::reframe, curve::reframe),
     },
     Operation {
@@ -260,6 +305,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The same curve with more control points",
         example: "casteljau elevate '(0,0) (1,2) (2,0)' --by 1",
         parameters: &[POINTS, OVER, optional("by", Kind::Count, "by", "how many more (1 unless said)")],
+        growth: Growth::Linear,
         run: Run::Any(curve::elevate, curve::elevate),
     },
     Operation {
@@ -269,6 +315,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The true degree, and the same curve with as few control points as it can have",
         example: "casteljau reduce '(0,1) (1,3) (2,5) (3,7)'",
         parameters: &[POINTS, OVER],
+        growth: Growth::Linear,
         run: Run::Any(curve::reduce, curve::reduce),
     },
     Operation {
@@ -284,6 +331,7 @@ pub const OPERATIONS: &[Operation] = &[
             optional("order", Kind::Count, "order", "the order (1 unless said)"),
             optional("t", Kind::Number, "at", "the parameter; without it the derivative is given as a curve"),
         ],
+        growth: Growth::Linear,
         run: Run::Any(curve::derivative, curve::derivative),
     },
     Operation {
@@ -293,6 +341,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The product of two curves in Bernstein form",
         example: "casteljau product '[1, 2]' '(0,0) (1,2) (2,0)'",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, OTHER_CURVE, OTHER_POINTS],
+        growth: Growth::Linear,
         run: Run::Any(curve::product, curve::product),
     },
     Operation {
@@ -307,6 +356,7 @@ pub const OPERATIONS: &[Operation] = &[
             OVER_POINTS,
             required("map", Kind::Map, "map", "the image of (x, y) or (x, y, z) or (x1, x2, …)"),
         ],
+        growth: Growth::Linear,
         run: Run::Any(curve::transform, curve::transform),
     },
     Operation {
@@ -316,6 +366,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "Whether two curves or pieces are the same polynomial map",
         example: "casteljau equal '(0,0) (1/2,0) (1,1)' '(t, t^2)'",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, OTHER_CURVE, OTHER_POINTS, OTHER_OVER],
+        growth: Growth::Linear,
         run: Run::Any(curve::equal, curve::equal),
     },
     Operation {
@@ -325,6 +376,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "Dimensions and degrees of a curve",
         example: "casteljau describe '(t, t^2, t^3)'",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, DEGREE],
+        growth: Growth::Linear,
         run: Run::Any(curve::describe, curve::describe),
     },
     Operation {
@@ -334,6 +386,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "Whether a parameter lies inside a frame",
         example: "casteljau contains --over -1..3 --at 1/2",
         parameters: &[required("frame", Kind::Frame, "over", "the frame r..s"), AT],
+        growth: Growth::Linear,
         run: Run::Numeric(numbers::contains),
     },
     Operation {
@@ -348,6 +401,7 @@ pub const OPERATIONS: &[Operation] = &[
             optional("frame", Kind::Frame, "over", "the frame r..s (0..1 unless said)"),
             optional("t", Kind::Number, "at", "also the values at this parameter"),
         ],
+        growth: Growth::Quadratic,
         run: Run::Numeric(numbers::bernstein),
     },
     Operation {
@@ -357,6 +411,7 @@ pub const OPERATIONS: &[Operation] = &[
         doc: "The elementary symmetric functions of a list of numbers",
         example: "casteljau sigma '1 2 3'",
         parameters: &[required("values", Kind::Numbers, "", "the numbers, such as '1 2 3'")],
+        growth: Growth::Linear,
         run: Run::Any(numbers::sigma, numbers::sigma),
     },
     Operation {
@@ -371,6 +426,7 @@ pub const OPERATIONS: &[Operation] = &[
             OVER,
             optional("point", Kind::Point, "contains", "whether the hull contains this point of the plane"),
         ],
+        growth: Growth::Linear,
         run: Run::Numeric(geometry::hull),
     },
     Operation {
@@ -386,6 +442,7 @@ pub const OPERATIONS: &[Operation] = &[
             optional("plane", Kind::Plane, "plane", "the line or plane, such as 'x - 2y + 1' (zero on it)"),
             optional("isolate", Kind::Flag, "isolate", "also the roots, exact or in disjoint intervals"),
         ],
+        growth: Growth::Linear,
         run: Run::Numeric(numbers::roots),
     },
     Operation {
@@ -401,6 +458,7 @@ pub const OPERATIONS: &[Operation] = &[
             optional("t", Kind::Number, "at", "also the steps of de Casteljau's algorithm at this parameter"),
             optional("depth", Kind::Count, "depth", "also the control polygons of this many subdivisions"),
         ],
+        growth: Growth::Linear,
         run: Run::Numeric(picture::plot),
     },
 ];
