@@ -1,5 +1,7 @@
 //! Polynomial curves by their equations.
 
+use smallvec::SmallVec;
+
 use crate::affine::{AffineMap, Interval, Parameter};
 use crate::blossom::PolarForm;
 use crate::error::Error;
@@ -132,8 +134,8 @@ impl<C: Coefficient> Curve<C> {
     /// # Errors
     /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
     pub fn blossom(&self, arguments: &[C]) -> Result<Vec<C>, Error> {
-        let arguments: Vec<Parameter<C>> = arguments.iter().cloned().map(Parameter::from).collect();
-        self.blossom_homogeneous(&arguments)
+        let weight = C::unit();
+        self.polar_value(arguments.iter().map(|t| (t, &weight)))
     }
 
     /// The polar value at homogeneous arguments `[w; t]`, vectors (`w = 0`) included.
@@ -141,23 +143,34 @@ impl<C: Coefficient> Curve<C> {
     /// # Errors
     /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
     pub fn blossom_homogeneous(&self, arguments: &[Parameter<C>]) -> Result<Vec<C>, Error> {
+        self.polar_value(arguments.iter().map(|Parameter { t, w }| (t, w)))
+    }
+
+    fn polar_value<'a>(&self, arguments: impl ExactSizeIterator<Item = (&'a C, &'a C)>) -> Result<Vec<C>, Error>
+    where
+        C: 'a,
+    {
         if arguments.len() != self.degree {
             return Err(Error::WrongCount { what: "polar arguments", expected: self.degree, found: arguments.len() });
         }
-        let multiples = binomial_multiples(self.degree);
-        let mut constant = C::from(multiples[0].clone());
-        let mut parameters = Vec::with_capacity(3 * self.degree + 1);
-        for Parameter { t, w } in arguments {
-            let ((t, t_scale), (w, w_scale)) = (t.fraction(), w.fraction());
+        let mut constant = C::unit();
+        let mut parameters: SmallVec<[C; 12]> = SmallVec::with_capacity(3 * self.degree + 1);
+        for (t, w) in arguments {
+            let (t, t_scale) = t.fraction();
             constant.multiply(&t_scale);
-            if w_scale.is_unit() {
-                parameters.extend([t, w.times(&t_scale)]);
-            } else {
-                parameters.extend([t.times(&w_scale), w.times(&t_scale)]);
-                constant.multiply(&w_scale);
+            if w.is_unit() {
+                parameters.push(t);
+                parameters.push(t_scale);
+                continue;
             }
+            let (w, w_scale) = w.fraction();
+            constant.multiply(&w_scale);
+            parameters.push(t.times(&w_scale));
+            parameters.push(w.times(&t_scale));
         }
-        parameters.extend(multiples.into_iter().map(C::from));
+        extend_by_multiples(&mut parameters, self.degree);
+        // The first multiple is the common one.
+        constant.multiply(&parameters[2 * self.degree]);
         let task = SymmetricSum { degree: self.degree, dimension: self.dimension };
         Ok(C::compute(&task, &self.coefficients, &parameters, &[self.point_layout(constant)]))
     }
@@ -230,7 +243,47 @@ impl<C: Coefficient> Curve<C> {
     }
 }
 
-/// The least common multiple of the binomial numbers `C(m, k)`, divided by each of them.
+/// The largest degree whose multiples are in the table.
+const TABLE: usize = 16;
+
+/// The rows of multiples for small degrees, one after the other.
+const MULTIPLES: [u64; (TABLE + 1) * (TABLE + 2) / 2] = {
+    let mut table = [0; (TABLE + 1) * (TABLE + 2) / 2];
+    let (mut common, mut degree, mut place) = (1, 0, 0);
+    while degree <= TABLE {
+        // lcm(C(m,0), …, C(m,m)) = lcm(1, …, m+1) / (m+1)
+        let (mut a, mut b) = (common, degree as u64 + 1);
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        common = common / a * (degree as u64 + 1);
+        let mut multiple = common / (degree as u64 + 1);
+        let mut k = 0;
+        while k <= degree {
+            table[place] = multiple;
+            // C(m,k+1) = C(m,k) (m-k)/(k+1), so the multiple changes by the inverse.
+            if k < degree {
+                multiple = multiple * (k as u64 + 1) / (degree - k) as u64;
+            }
+            place += 1;
+            k += 1;
+        }
+        degree += 1;
+    }
+    table
+};
+
+/// Appends the least common multiple of the binomial numbers `C(m, k)`, divided by each of them.
+fn extend_by_multiples<C: Coefficient>(parameters: &mut SmallVec<[C; 12]>, degree: usize) {
+    if degree > TABLE {
+        parameters.extend(binomial_multiples(degree).into_iter().map(C::from));
+        return;
+    }
+    let start = degree * (degree + 1) / 2;
+    parameters.extend(MULTIPLES[start..=start + degree].iter().map(|&multiple| C::from(Rational::from(multiple as i64))));
+}
+
+/// The same for any degree.
 fn binomial_multiples(degree: usize) -> Vec<Rational> {
     // lcm(C(m,0), …, C(m,m)) = lcm(1, …, m+1) / (m+1)
     let mut common = num_bigint::BigInt::from(1u32);
@@ -270,6 +323,9 @@ mod tests {
     fn multiples_are_integers_times_binomials() {
         for degree in 0..40 {
             let multiples = binomial_multiples(degree);
+            let mut appended: SmallVec<[Rational; 12]> = SmallVec::new();
+            extend_by_multiples(&mut appended, degree);
+            assert_eq!(multiples[..], appended[..]);
             let mut binomial = Rational::from(1);
             for (k, multiple) in multiples.iter().enumerate() {
                 assert!(multiple.is_integer());

@@ -37,11 +37,19 @@ impl Magnitude {
         }
     }
 
+    #[inline]
     pub(crate) fn times(self, other: Self) -> Self {
+        if let Some(mantissa) = self.mantissa.checked_mul(other.mantissa) {
+            return Self { mantissa, exponent: self.exponent + other.exponent };
+        }
         Self::rounded(u128::from(self.mantissa) * u128::from(other.mantissa), self.exponent + other.exponent)
     }
 
+    #[inline]
     pub(crate) fn plus(self, other: Self) -> Self {
+        if let (0, 0, Some(mantissa)) = (self.exponent, other.exponent, self.mantissa.checked_add(other.mantissa)) {
+            return Self::from(mantissa);
+        }
         let (high, low) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
         let gap = high.exponent - low.exponent;
         if high.mantissa == 0 {
@@ -68,7 +76,11 @@ impl Magnitude {
         result
     }
 
+    #[inline]
     pub(crate) fn max(self, other: Self) -> Self {
+        if self.exponent == other.exponent {
+            return if self.mantissa >= other.mantissa { self } else { other };
+        }
         let difference_free = self.bits().cmp(&other.bits());
         match difference_free {
             std::cmp::Ordering::Less => other,
@@ -90,6 +102,7 @@ impl Magnitude {
 }
 
 impl From<u64> for Magnitude {
+    #[inline]
     fn from(value: u64) -> Self {
         Self { mantissa: value, exponent: 0 }
     }

@@ -3,6 +3,7 @@
 
 pub(crate) mod decimal;
 pub(crate) mod gcd;
+pub(crate) mod lowest;
 pub(crate) mod magnitude;
 mod rational;
 pub(crate) mod univariate;

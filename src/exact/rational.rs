@@ -111,6 +111,17 @@ impl Rational {
         }
     }
 
+    /// `numer / denom` with a sign, in lowest terms already; `denom` is not zero.
+    #[inline]
+    pub(crate) fn from_lowest(negative: bool, numer: u128, denom: u128) -> Self {
+        const LARGEST: u128 = i64::MAX as u128;
+        if numer <= LARGEST && denom <= LARGEST {
+            return Self::small(if negative { -(numer as i64) } else { numer as i64 }, denom as u64);
+        }
+        let sign = if negative { Sign::Minus } else { Sign::Plus };
+        Self::from_reduced_big(BigInt::from_biguint(sign, numer.into()), BigInt::from(denom))
+    }
+
     #[inline]
     fn small(numer: i64, denom: u64) -> Self {
         match NonZeroU64::new(denom) {
@@ -215,6 +226,7 @@ impl Rational {
 }
 
 impl From<i64> for Rational {
+    #[inline]
     fn from(value: i64) -> Self {
         Self::small(value, 1)
     }
@@ -297,6 +309,9 @@ fn add(a: &Rational, b: &Rational) -> Rational {
     match (&a.0, &b.0) {
         (Repr::Small { numer: a, denom: b }, Repr::Small { numer: c, denom: d }) => {
             let (b, d) = (b.get(), d.get());
+            if let (1, 1, Some(sum)) = (b, d, a.checked_add(*c)) {
+                return Rational::small(sum, 1);
+            }
             if b == d {
                 return Rational::from_i128(i128::from(*a) + i128::from(*c), u128::from(b));
             }
@@ -314,6 +329,9 @@ fn subtract(a: &Rational, b: &Rational) -> Rational {
 fn multiply(a: &Rational, b: &Rational) -> Rational {
     match (&a.0, &b.0) {
         (Repr::Small { numer: a, denom: b }, Repr::Small { numer: c, denom: d }) => {
+            if let (1, 1, Some(product)) = (b.get(), d.get(), a.checked_mul(*c)) {
+                return Rational::small(product, 1);
+            }
             Rational::from_i128(i128::from(*a) * i128::from(*c), u128::from(b.get()) * u128::from(d.get()))
         }
         _ => Rational::from_big(a.numer() * b.numer(), a.denom() * b.denom()),
@@ -389,15 +407,18 @@ impl Neg for Rational {
 }
 
 impl Zero for Rational {
+    #[inline]
     fn zero() -> Self {
         Self::from(0)
     }
+    #[inline]
     fn is_zero(&self) -> bool {
         matches!(self.0, Repr::Small { numer: 0, .. })
     }
 }
 
 impl One for Rational {
+    #[inline]
     fn one() -> Self {
         Self::from(1)
     }

@@ -1,11 +1,15 @@
 //! The rings the kernel runs on, and the integers of every width among them.
 //!
 //! A width is chosen once for a whole computation from a bound computed
-//! beforehand ([`Magnitude`](super::magnitude::Magnitude)), so the arithmetic
-//! itself never checks for overflow in release builds.
+//! beforehand ([`Magnitude`]), so the arithmetic itself never checks for
+//! overflow: it is arithmetic modulo a power of two. A sum of products that
+//! fits comes out right even where the terms on the way did not fit, and so
+//! does a quotient by an odd number ([`Ring::undo`]).
 
 use num_bigint::{BigInt, Sign};
 use num_traits::{One, Zero};
+
+use super::magnitude::Magnitude;
 
 /// What the kernel needs of its scalars: ring operations, no division but the
 /// one that undoes an earlier multiplication.
@@ -30,15 +34,27 @@ pub trait Ring: Clone {
     fn add_product(&mut self, a: &Self, b: &Self);
     /// `self /= other`, where `other` is known to divide without remainder.
     fn divide_exactly(&mut self, other: &Self);
+    /// The factor that undoes multiplying by `self`, for integers modulo a
+    /// power of two where `self` is odd. Unlike dividing, multiplying by it is
+    /// right even if the product had wrapped.
+    fn undo(&self) -> Option<Self> {
+        None
+    }
+    /// Whether this is an odd integer.
+    fn is_odd(&self) -> bool;
+    /// A bound of an integer. (Other elements have no use for one.)
+    fn magnitude(&self) -> Magnitude;
 }
 
 /// The integers of one width.
 pub(crate) trait Integer: Ring {
+    /// The words of the width; none for integers of any length.
+    const WORDS: usize;
     /// The integer, which the caller has bounded to fit.
     fn from_i64(value: i64) -> Self;
     /// The integer, which the caller has bounded to fit.
     fn from_i128(value: i128) -> Self;
-    /// The integer, which the caller has bounded to fit.
+    /// The integer modulo the width.
     fn from_big(value: &BigInt) -> Self;
     /// The value if the width is at most two words.
     fn as_i128(&self) -> Option<i128>;
@@ -46,7 +62,7 @@ pub(crate) trait Integer: Ring {
 }
 
 macro_rules! machine_integer {
-    ($type:ty) => {
+    ($type:ty, $words:expr) => {
         impl Ring for $type {
             #[inline]
             fn nothing() -> Self {
@@ -70,27 +86,44 @@ macro_rules! machine_integer {
             }
             #[inline]
             fn add(&mut self, other: &Self) {
-                *self += other;
+                *self = self.wrapping_add(*other);
             }
             #[inline]
             fn subtract(&mut self, other: &Self) {
-                *self -= other;
+                *self = self.wrapping_sub(*other);
             }
             #[inline]
             fn multiply(&mut self, other: &Self) {
-                *self *= other;
+                *self = self.wrapping_mul(*other);
             }
             #[inline]
             fn add_product(&mut self, a: &Self, b: &Self) {
-                *self += a * b;
+                *self = self.wrapping_add(a.wrapping_mul(*b));
             }
             #[inline]
             fn divide_exactly(&mut self, other: &Self) {
                 debug_assert_eq!(*self % *other, 0);
                 *self /= other;
             }
+            #[inline]
+            fn undo(&self) -> Option<Self> {
+                // Newton's iteration: right in 3 bits at first, then twice as many each time.
+                let mut inverse = *self;
+                for _ in 0..4 + $words {
+                    inverse = inverse.wrapping_mul((2 as $type).wrapping_sub(self.wrapping_mul(inverse)));
+                }
+                self.is_odd().then_some(inverse)
+            }
+            #[inline]
+            fn is_odd(&self) -> bool {
+                self & 1 == 1
+            }
+            fn magnitude(&self) -> Magnitude {
+                Magnitude::from(self.unsigned_abs())
+            }
         }
         impl Integer for $type {
+            const WORDS: usize = $words;
             #[inline]
             fn from_i64(value: i64) -> Self {
                 <$type>::from(value)
@@ -100,7 +133,10 @@ macro_rules! machine_integer {
                 value as $type
             }
             fn from_big(value: &BigInt) -> Self {
-                <$type>::try_from(value).unwrap_or_default()
+                // Modulo the width: a parameter may be longer than every result.
+                let digits = value.magnitude().iter_u64_digits().take($words);
+                let low = digits.enumerate().fold(0, |low, (place, digit)| low | (digit as $type) << (64 * place));
+                if value.sign() == Sign::Minus { <$type>::wrapping_neg(low) } else { low }
             }
             #[inline]
             fn as_i128(&self) -> Option<i128> {
@@ -113,8 +149,8 @@ macro_rules! machine_integer {
     };
 }
 
-machine_integer!(i64);
-machine_integer!(i128);
+machine_integer!(i64, 1);
+machine_integer!(i128, 2);
 
 impl Ring for BigInt {
     fn nothing() -> Self {
@@ -152,9 +188,16 @@ impl Ring for BigInt {
         debug_assert!((&*self % other).is_zero());
         *self /= other;
     }
+    fn is_odd(&self) -> bool {
+        self.bit(0)
+    }
+    fn magnitude(&self) -> Magnitude {
+        Magnitude::from_big(self.magnitude())
+    }
 }
 
 impl Integer for BigInt {
+    const WORDS: usize = 0;
     fn from_i64(value: i64) -> Self {
         Self::from(value)
     }
@@ -279,9 +322,32 @@ impl<const N: usize> Ring for Fixed<N> {
         };
         *self = if negative { quotient.negated() } else { quotient };
     }
+    fn undo(&self) -> Option<Self> {
+        if !self.is_odd() {
+            return None;
+        }
+        let mut inverse = *self;
+        let mut bits = 3;
+        while bits < 64 * N {
+            let mut correction = Self::from_i64(2);
+            let mut product = *self;
+            product.multiply(&inverse);
+            correction.subtract(&product);
+            inverse.multiply(&correction);
+            bits *= 2;
+        }
+        Some(inverse)
+    }
+    fn is_odd(&self) -> bool {
+        self.0[0] & 1 == 1
+    }
+    fn magnitude(&self) -> Magnitude {
+        Magnitude::from_big(self.into_big().magnitude())
+    }
 }
 
 impl<const N: usize> Integer for Fixed<N> {
+    const WORDS: usize = N;
     fn from_i64(value: i64) -> Self {
         let mut words = [if value < 0 { u64::MAX } else { 0 }; N];
         words[0] = value as u64;
@@ -348,6 +414,15 @@ mod tests {
         let mut fused = of(c);
         fused.add_product(&of(a), &of(b));
         check(fused, c + a * b)?;
+        if let Some(inverse) = of(b).undo() {
+            // The product may wrap: undoing it is right all the same.
+            let mut product = of(a);
+            for factor in [&of(b), &of(b), &of(b), &inverse, &inverse, &inverse] {
+                product.multiply(factor);
+            }
+            check(product, a.clone())?;
+        }
+        prop_assert_eq!(of(a).is_odd(), a.bit(0));
         prop_assert_eq!(of(a).is_nothing(), a.is_zero());
         prop_assert_eq!(of(a).is_unit(), a.is_one());
         Ok(())

@@ -113,9 +113,11 @@ impl Coefficient for Polynomial {
 }
 
 impl Ring for Rational {
+    #[inline]
     fn nothing() -> Self {
         <Self as num_traits::Zero>::zero()
     }
+    #[inline]
     fn unit() -> Self {
         <Self as num_traits::One>::one()
     }
@@ -125,6 +127,7 @@ impl Ring for Rational {
     fn is_nothing(&self) -> bool {
         num_traits::Zero::is_zero(self)
     }
+    #[inline]
     fn is_unit(&self) -> bool {
         self.as_small() == Some((1, 1))
     }
@@ -142,6 +145,15 @@ impl Ring for Rational {
     }
     fn divide_exactly(&mut self, other: &Self) {
         *self /= other;
+    }
+    fn is_odd(&self) -> bool {
+        match self.as_small() {
+            Some((numer, denom)) => denom == 1 && numer & 1 == 1,
+            None => self.is_integer() && self.numer().bit(0),
+        }
+    }
+    fn magnitude(&self) -> Magnitude {
+        magnitude_of_integer(self)
     }
 }
 
@@ -179,6 +191,12 @@ impl Ring for Polynomial {
             *self = quotient;
         }
     }
+    fn is_odd(&self) -> bool {
+        Polynomial::as_rational(self).is_some_and(|value| Ring::is_odd(&value))
+    }
+    fn magnitude(&self) -> Magnitude {
+        Magnitude::ONE
+    }
 }
 
 impl Compute for Rational {
@@ -196,16 +214,22 @@ impl Compute for Rational {
 
     fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self> {
         let common = CommonDenominator::of(data);
+        let words = common.words(data);
+        let largest = match &words {
+            Some((_, largest)) => Magnitude::from(*largest),
+            None => common.largest_numerator(data),
+        };
         let sizes: SmallVec<[Magnitude; 12]> = parameters.iter().map(magnitude_of_integer).collect();
-        let bound = task.growth(&sizes).times(common.largest_numerator(data).max(Magnitude::ONE));
+        let bound = task.growth(&sizes).times(largest.max(Magnitude::ONE));
+        let call = Call { task, data, words: words.map(|(words, _)| words), parameters, layouts, common: &common };
         match bound.bits() {
-            0..=63 => run::<i64, T>(task, data, parameters, layouts, &common),
-            64..=127 => run::<i128, T>(task, data, parameters, layouts, &common),
-            128..=191 => run::<Fixed<3>, T>(task, data, parameters, layouts, &common),
-            192..=255 => run::<Fixed<4>, T>(task, data, parameters, layouts, &common),
-            256..=383 => run::<Fixed<6>, T>(task, data, parameters, layouts, &common),
-            384..=511 => run::<Fixed<8>, T>(task, data, parameters, layouts, &common),
-            _ => run::<BigInt, T>(task, data, parameters, layouts, &common),
+            0..=63 => call.run::<i64>(),
+            64..=127 => call.run::<i128>(),
+            128..=191 => call.run::<Fixed<3>>(),
+            192..=255 => call.run::<Fixed<4>>(),
+            256..=383 => call.run::<Fixed<6>>(),
+            384..=511 => call.run::<Fixed<8>>(),
+            _ => call.run::<BigInt>(),
         }
     }
 }
@@ -243,23 +267,50 @@ impl Compute for Polynomial {
     }
 }
 
-fn run<R: Integer, T: Task>(
-    task: &T,
-    data: &[Rational],
-    parameters: &[Rational],
-    layouts: &[Layout<Rational>],
+/// A task with its data cleared, whose width is about to be chosen.
+struct Call<'a, T> {
+    task: &'a T,
+    data: &'a [Rational],
+    /// The numerators, if all of them fit a word.
+    words: Option<Vec<i64>>,
+    parameters: &'a [Rational],
+    layouts: &'a [Layout<Rational>],
+    common: &'a CommonDenominator,
+}
+
+impl<T: Task> Call<'_, T> {
+    fn run<R: Integer>(self) -> Vec<Rational> {
+        let numerators: Vec<R> = match self.words {
+            Some(words) => words.into_iter().map(R::from_i64).collect(),
+            None => self.data.iter().map(|value| self.common.numerator(value)).collect(),
+        };
+        let parameters: SmallVec<[R; 12]> = self.parameters.iter().map(integer).collect();
+        let results = self.task.run(numerators, &parameters);
+        let mut reduced = Vec::with_capacity(results.len());
+        let mut results = results.into_iter();
+        for layout in self.layouts {
+            reduce(layout, self.common, &mut results, &mut reduced);
+        }
+        reduced
+    }
+}
+
+/// Brings as many results as the layout has entries to lowest terms.
+fn reduce<R: Integer>(
+    layout: &Layout<Rational>,
     common: &CommonDenominator,
-) -> Vec<Rational> {
-    let numerators: Vec<R> = data.iter().map(|value| common.numerator(value)).collect();
-    let parameters: SmallVec<[R; 12]> = parameters.iter().map(integer).collect();
-    let results = task.run(numerators, &parameters);
-    let mut reduced = Vec::with_capacity(results.len());
-    let mut results = results.into_iter();
-    for layout in layouts {
-        match ShortDenominators::new(layout, common) {
-            Some(short) => short.reduce(layout, &mut results, &mut reduced),
-            None => LongDenominators::new(layout, common).reduce(layout, &mut results, &mut reduced),
+    results: &mut impl Iterator<Item = R>,
+    reduced: &mut Vec<Rational>,
+) {
+    if R::WORDS == 1 {
+        if let Some(short) = ShortDenominators::<u64>::new(layout, common) {
+            return short.reduce(layout, results, reduced);
         }
     }
-    reduced
+    if R::WORDS == 1 || R::WORDS == 2 {
+        if let Some(short) = ShortDenominators::<u128>::new(layout, common) {
+            return short.reduce(layout, results, reduced);
+        }
+    }
+    LongDenominators::new(layout, common).reduce(layout, results, reduced);
 }

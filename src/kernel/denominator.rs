@@ -5,17 +5,24 @@ use num_traits::{One, Signed, Zero};
 use smallvec::SmallVec;
 
 use super::layout::Layout;
-use super::shape::Shape;
+use super::shape::{Factor, Shape};
 use crate::exact::Rational;
 use crate::exact::gcd::{gcd_big, gcd_u64};
+use crate::exact::lowest::{PrimeSet, Word, lowest};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::{Integer, Ring};
+use crate::exact::width::Integer;
 
+#[inline]
 pub(crate) fn magnitude_of_integer(value: &Rational) -> Magnitude {
     match value.as_small() {
         Some((numer, _)) => Magnitude::from(numer.unsigned_abs()),
-        None => Magnitude::from_big(value.numer().magnitude()),
+        None => magnitude_of_big(value),
     }
+}
+
+#[cold]
+fn magnitude_of_big(value: &Rational) -> Magnitude {
+    Magnitude::from_big(value.numer().magnitude())
 }
 
 /// The least common denominator of the data.
@@ -37,6 +44,20 @@ impl CommonDenominator {
             }
         }
         Self::Word(common)
+    }
+
+    /// The numerators and the largest of them, if everything fits a word.
+    pub(crate) fn words(&self, data: &[Rational]) -> Option<(Vec<i64>, u64)> {
+        let Self::Word(common) = *self else { return None };
+        let mut largest = 0;
+        let mut words = Vec::with_capacity(data.len());
+        for value in data {
+            let (numer, denom) = value.as_small()?;
+            let word = if denom == common { numer } else { numer.checked_mul((common / denom) as i64)? };
+            largest = largest.max(word.unsigned_abs());
+            words.push(word);
+        }
+        Some((words, largest))
     }
 
     fn of_big(data: &[Rational]) -> Self {
@@ -92,11 +113,17 @@ impl CommonDenominator {
     }
 }
 
+#[inline]
 pub(crate) fn integer<R: Integer>(value: &Rational) -> R {
     match value.as_small() {
         Some((numer, _)) => R::from_i64(numer),
-        None => R::from_big(&value.numer()),
+        None => integer_of_big(value),
     }
+}
+
+#[cold]
+fn integer_of_big<R: Integer>(value: &Rational) -> R {
+    R::from_big(&value.numer())
 }
 
 /// The powers `1, base, …, base^degree`.
@@ -116,54 +143,118 @@ fn vertex_degrees(shape: &Shape) -> impl Iterator<Item = usize> {
     shape.factors.iter().flat_map(|factor| std::iter::repeat_n(factor.degree, factor.dimension + 1))
 }
 
-/// Denominators that fit two words, whatever the entry.
-pub(crate) struct ShortDenominators {
-    constant: i128,
-    powers: SmallVec<[SmallVec<[i128; 16]>; 3]>,
-    multinomials: Vec<i128>,
+/// Denominators that fit one or two words, whatever the entry.
+pub(crate) struct ShortDenominators<W> {
+    constant: W,
+    /// The powers of the scales, one vertex after the other.
+    powers: SmallVec<[W; 24]>,
+    multinomials: Vec<W>,
+    primes: Primes,
 }
 
-impl ShortDenominators {
+/// What is known of the odd primes of the denominators.
+enum Primes {
+    /// They are among these.
+    Only(PrimeSet),
+    /// There are others beside these.
+    Also(PrimeSet),
+    /// Nothing: for a result or two, looking for them would cost more than a gcd.
+    Unknown,
+}
+
+impl<W: Word> ShortDenominators<W> {
+    /// `None` if a denominator might not fit, or is negative.
     pub(crate) fn new(layout: &Layout<Rational>, common: &CommonDenominator) -> Option<Self> {
-        let CommonDenominator::Word(common) = common else { return None };
-        let mut bound = magnitude_of_integer(&layout.constant).times(Magnitude::from(*common));
-        for factor in &layout.shape.factors {
+        let CommonDenominator::Word(common) = *common else { return None };
+        let positive = |value: &Rational| value.as_small().filter(|&(numer, _)| numer > 0).map(|(numer, _)| numer.unsigned_abs());
+        let constant = positive(&layout.constant)?;
+        let mut bound = Magnitude::from(constant).times(Magnitude::from(common));
+        let (mut primes, mut smooth) = (PrimeSet::EMPTY, true);
+        let few = layout.shape.points() * layout.shape.stride < 3;
+        let mut note = |value: u64| {
+            if value > 1 && !few {
+                let (found, rest) = PrimeSet::of(value);
+                primes = primes.union(found);
+                smooth &= rest == 1;
+            }
+        };
+        note(constant);
+        note(common);
+        let mut scales = layout.scales.iter();
+        for &Factor { dimension, degree } in &layout.shape.factors {
+            let mut largest = 1;
+            for scale in scales.by_ref().take(dimension + 1) {
+                let scale = positive(scale)?;
+                largest = largest.max(scale);
+                note(scale);
+            }
+            bound = bound.times(Magnitude::from(largest).power(degree));
             if layout.multinomial {
-                bound = bound.times(Magnitude::from(factor.dimension as u64 + 1).power(factor.degree));
                 // Computing a multinomial number multiplies before it divides.
-                bound = bound.times(Magnitude::from(factor.degree as u64 + 1));
+                bound = bound.times(Magnitude::from(dimension as u64 + 1).power(degree)).times(Magnitude::from(degree as u64 + 1));
             }
         }
-        for (scale, degree) in layout.scales.iter().zip(vertex_degrees(&layout.shape)) {
-            bound = bound.times(magnitude_of_integer(scale).max(Magnitude::ONE).power(degree));
+        if layout.multinomial {
+            for factor in &layout.shape.factors {
+                let (found, all) = PrimeSet::up_to(factor.degree);
+                primes = primes.union(found);
+                smooth &= all;
+            }
         }
-        if bound.bits() > 126 {
+        if bound.bits() > u64::from(W::zero().count_zeros()) - 1 {
             return None;
         }
-        let scale_powers = |(scale, degree): (&Rational, usize)| powers(integer::<i128>(scale), degree);
-        Some(Self {
-            constant: integer::<i128>(&layout.constant) * i128::from(*common),
-            powers: layout.scales.iter().zip(vertex_degrees(&layout.shape)).map(scale_powers).collect(),
-            multinomials: layout.multinomials(),
-        })
+        let mut powers = SmallVec::new();
+        for (scale, degree) in layout.scales.iter().zip(vertex_degrees(&layout.shape)) {
+            let scale = W::from_u128(u128::from(positive(scale)?));
+            let mut power = W::one();
+            powers.push(power);
+            for _ in 0..degree {
+                power = power * scale;
+                powers.push(power);
+            }
+        }
+        // The signed ring of the same width computes them; none is negative.
+        let multinomials = if W::zero().count_zeros() == 64 {
+            layout.multinomials::<i64>().into_iter().map(|value| W::from_u128(u128::from(value.unsigned_abs()))).collect()
+        } else {
+            layout.multinomials::<i128>().into_iter().map(|value| W::from_u128(value.unsigned_abs())).collect()
+        };
+        let constant = W::from_u128(u128::from(constant)) * W::from_u128(u128::from(common));
+        let primes = match smooth {
+            _ if few => Primes::Unknown,
+            true => Primes::Only(primes),
+            false => Primes::Also(primes),
+        };
+        Some(Self { constant, powers, multinomials, primes })
     }
 
     pub(crate) fn reduce<R: Integer>(&self, layout: &Layout<Rational>, results: &mut impl Iterator<Item = R>, reduced: &mut Vec<Rational>) {
-        let plain = layout.scales.iter().all(Ring::is_unit);
+        let degrees: SmallVec<[usize; 6]> = vertex_degrees(&layout.shape).take(layout.scales.len()).collect();
         let mut multinomials = self.multinomials.iter();
         layout.shape.for_each(|exponents| {
             let mut denominator = self.constant;
-            if !plain {
-                for (powers, &exponent) in self.powers.iter().zip(exponents) {
-                    denominator *= powers[exponent];
-                }
+            let mut powers = &self.powers[..];
+            for (&exponent, &degree) in exponents.iter().zip(&degrees) {
+                denominator = denominator * powers[exponent];
+                powers = &powers[degree + 1..];
             }
-            denominator *= multinomials.next().copied().unwrap_or(1);
-            let magnitude = denominator.unsigned_abs();
+            if let Some(&multinomial) = multinomials.next() {
+                denominator = denominator * multinomial;
+            }
+            let (primes, rest) = match self.primes {
+                Primes::Only(primes) => (primes, W::one()),
+                Primes::Also(primes) => (primes, PrimeSet::of(denominator).1),
+                Primes::Unknown => (PrimeSet::EMPTY, denominator >> denominator.trailing_zeros() as usize),
+            };
             for result in results.by_ref().take(layout.shape.stride) {
-                reduced.push(match result.as_i128() {
-                    Some(numerator) => Rational::from_i128(if denominator < 0 { -numerator } else { numerator }, magnitude),
-                    None => Rational::from_big(result.into_big(), BigInt::from(denominator)),
+                let value = result.as_i128().unwrap_or_default();
+                let magnitude = W::from_u128(value.unsigned_abs());
+                reduced.push(if magnitude.is_zero() {
+                    Rational::from(0)
+                } else {
+                    let (numer, denom) = lowest(magnitude, denominator, primes, rest);
+                    Rational::from_lowest(value < 0, numer.into_u128(), denom.into_u128())
                 });
             }
         });

@@ -37,7 +37,10 @@ impl<R: Ring> Form<R> {
 
     /// Undoes [`Form::scale`] where the entries are known to be multiples.
     pub(crate) fn unscale(&mut self, factor: usize, vertex: usize, weight: &R) {
-        self.with_powers(factor, vertex, weight, R::divide_exactly);
+        match weight.undo() {
+            Some(inverse) => self.scale(factor, vertex, &inverse),
+            None => self.with_powers(factor, vertex, weight, R::divide_exactly),
+        }
     }
 
     fn with_powers(&mut self, factor: usize, vertex: usize, weight: &R, apply: impl Fn(&mut R, &R)) {
@@ -45,6 +48,19 @@ impl<R: Ring> Form<R> {
             return;
         }
         let simplex = self.shape.factors[factor];
+        let (outer, inner) = self.shape.blocks(factor);
+        if simplex.dimension == 1 {
+            // The exponents of a curve count up or down: one running power.
+            for block in self.entries.chunks_exact_mut((simplex.degree + 1) * inner) {
+                let mut power = R::unit();
+                for exponent in 1..=simplex.degree {
+                    power.multiply(weight);
+                    let place = if vertex == 1 { exponent } else { simplex.degree - exponent };
+                    block[place * inner..(place + 1) * inner].iter_mut().for_each(|scalar| apply(scalar, &power));
+                }
+            }
+            return;
+        }
         let mut powers: SmallVec<[R; 16]> = SmallVec::with_capacity(simplex.degree + 1);
         powers.push(R::unit());
         for exponent in 1..=simplex.degree {
@@ -52,7 +68,6 @@ impl<R: Ring> Form<R> {
             power.multiply(weight);
             powers.push(power);
         }
-        let (outer, inner) = self.shape.blocks(factor);
         let mut entries = self.entries.chunks_exact_mut(inner);
         for _ in 0..outer {
             simplex.for_each(|exponents| {
@@ -66,16 +81,34 @@ impl<R: Ring> Form<R> {
 
     /// Substitutes `x_source + weight · x_target` for `x_source`.
     fn shear(&mut self, factor: usize, source: usize, target: usize, weight: &R) {
+        if weight.is_unit() {
+            self.shear_by(factor, source, target, R::add);
+        } else {
+            self.shear_by(factor, source, target, |to, from| to.add_product(from, weight));
+        }
+    }
+
+    /// The same, given how a multiple of one entry is added to another.
+    #[inline]
+    fn shear_by(&mut self, factor: usize, source: usize, target: usize, add: impl Fn(&mut R, &R)) {
         let simplex = self.shape.factors[factor];
-        let (outer, inner) = self.shape.blocks(factor);
-        let block = simplex.count() * inner;
-        for line in lines(simplex, source, target) {
-            for repeat in 0..outer {
-                let block = &mut self.entries[repeat * block..(repeat + 1) * block];
+        let (_, inner) = self.shape.blocks(factor);
+        let blocks = self.entries.chunks_exact_mut(simplex.count() * inner);
+        if simplex.dimension == 1 {
+            // Neighbours on the one line of a curve are neighbours in memory.
+            blocks.for_each(|block| if target == 1 { shear_up(block, inner, &add) } else { shear_down(block, inner, &add) });
+            return;
+        }
+        let lines = lines(simplex, source, target);
+        for block in blocks {
+            for line in &lines {
                 // Horner's scheme: each pass carries one power of x_source over.
                 for last in (1..line.len()).rev() {
                     for k in 1..=last {
-                        add_multiple(block, inner, line[k - 1], line[k], weight);
+                        for offset in 0..inner {
+                            let (from, to) = pair(block, line[k - 1] * inner + offset, line[k] * inner + offset);
+                            add(to, from);
+                        }
                     }
                 }
             }
@@ -142,19 +175,41 @@ impl<R: Ring> Form<R> {
     }
 }
 
-/// `block[target] += weight · block[source]`, entry by entry.
+/// Horner's scheme on a line that lies in order, `inner` interleaved ones at a time.
 #[inline]
-fn add_multiple<R: Ring>(block: &mut [R], inner: usize, source: usize, target: usize, weight: &R) {
-    for offset in 0..inner {
-        let (source, target) = (source * inner + offset, target * inner + offset);
-        let (from, to) = if source < target {
-            let (head, tail) = block.split_at_mut(target);
-            (&head[source], &mut tail[0])
-        } else {
-            let (head, tail) = block.split_at_mut(source);
-            (&tail[0], &mut head[target])
-        };
-        if weight.is_unit() { to.add(from) } else { to.add_product(from, weight) }
+fn shear_up<R>(block: &mut [R], inner: usize, add: impl Fn(&mut R, &R)) {
+    let mut end = block.len();
+    while end > inner {
+        for place in inner..end {
+            let (head, tail) = block[place - inner..end].split_at_mut(inner);
+            add(&mut tail[0], &head[0]);
+        }
+        end -= inner;
+    }
+}
+
+/// The same on a line that lies in reverse order.
+#[inline]
+fn shear_down<R>(block: &mut [R], inner: usize, add: impl Fn(&mut R, &R)) {
+    let mut start = 0;
+    while start + inner < block.len() {
+        for place in (start..block.len() - inner).rev() {
+            let (head, tail) = block[place..].split_at_mut(inner);
+            add(&mut head[0], &tail[0]);
+        }
+        start += inner;
+    }
+}
+
+/// Two different entries, the second one to be changed.
+#[inline]
+fn pair<R>(block: &mut [R], source: usize, target: usize) -> (&R, &mut R) {
+    if source < target {
+        let (head, tail) = block.split_at_mut(target);
+        (&head[source], &mut tail[0])
+    } else {
+        let (head, tail) = block.split_at_mut(source);
+        (&tail[0], &mut head[target])
     }
 }
 

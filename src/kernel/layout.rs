@@ -25,13 +25,9 @@ impl<C> Layout<C> {
 
 /// The multinomial numbers of a shape, in the order of its points.
 pub(crate) fn multinomials<R: Ring>(shape: &Shape) -> Vec<R> {
-    let mut all = vec![R::unit()];
-    for factor in &shape.factors {
-        let row = multinomial_row::<R>(factor.dimension, factor.degree);
-        if all.len() == 1 {
-            all = row;
-            continue;
-        }
+    let mut rows = shape.factors.iter().map(|factor| multinomial_row::<R>(factor.dimension, factor.degree));
+    let mut all = rows.next().unwrap_or_else(|| vec![R::unit()]);
+    for row in rows {
         all = all
             .iter()
             .flat_map(|outer| {

@@ -23,6 +23,9 @@ pub(crate) struct Reframe {
     factor: usize,
     /// The old vertex in whose place each new one is put, in order.
     places: SmallVec<[usize; 3]>,
+    /// The largest sum of the absolute weights on one old vertex, if only the
+    /// result needs to fit: every surplus can be undone modulo a power of two.
+    column: Option<Magnitude>,
 }
 
 /// The parameters of a [`Reframe`].
@@ -34,10 +37,24 @@ impl Reframe {
     pub(crate) fn new<R: Ring>(factor: usize, size: usize, mut rows: Parameters<R>) -> Option<(Self, Parameters<R>)> {
         let mut places: SmallVec<[usize; 3]> = SmallVec::new();
         let mut surplus: Parameters<R> = smallvec![R::unit(); size];
+        let mut column = Magnitude::ONE;
+        for vertex in 0..size {
+            let sum = (0..size).fold(Magnitude::ZERO, |sum, new| sum.plus(rows[new * size + vertex].magnitude()));
+            column = column.max(sum);
+        }
+        let mut undone = true;
         for new in 0..size {
-            // Its own place where possible, so that nothing needs reordering.
-            let mut free = std::iter::once(new).chain(0..size).filter(|vertex| !places.contains(vertex));
-            let vertex = free.find(|&vertex| !rows[new * size + vertex].is_nothing())?;
+            // Its own place where possible, so that nothing needs reordering;
+            // but rather a place with an odd weight, which can be undone.
+            let free = || std::iter::once(new).chain(0..size).filter(|vertex| !places.contains(vertex));
+            let weight = |vertex: usize| &rows[new * size + vertex];
+            let vertex = match free().find(|&vertex| weight(vertex).is_odd()) {
+                Some(vertex) => vertex,
+                None => {
+                    undone &= new + 1 == size;
+                    free().find(|&vertex| !weight(vertex).is_nothing())?
+                }
+            };
             let (done, rest) = rows.split_at_mut((new + 1) * size);
             let row = &done[new * size..];
             for (other, surplus) in rest.chunks_exact_mut(size).zip(&mut surplus[new + 1..]) {
@@ -53,11 +70,17 @@ impl Reframe {
             places.push(vertex);
         }
         rows.extend(surplus);
-        Some((Self { factor, places }, rows))
+        Some((Self { factor, places, column: undone.then_some(column) }, rows))
     }
 
     /// The most that the change multiplies the sum of the absolute entries by.
     pub(crate) fn growth(&self, degree: usize, parameters: &[Magnitude]) -> Magnitude {
+        if let Some(column) = self.column {
+            // The coordinate of an old vertex becomes the sum of its weights
+            // times the new coordinates: a product of as many such sums as the
+            // degree has no coefficient above the product of their totals.
+            return column.power(degree);
+        }
         let rows = parameters.chunks_exact(self.places.len());
         self.places.iter().zip(rows).fold(Magnitude::ONE, |growth, (&vertex, row)| {
             // A coordinate x_u becomes x_u + w_u z, the replaced one w z.
@@ -75,7 +98,9 @@ impl Reframe {
             form.replace(self.factor, vertex, weights);
         }
         for (&vertex, surplus) in self.places.iter().zip(surplus) {
-            form.unscale(self.factor, vertex, surplus);
+            if !surplus.is_unit() {
+                form.unscale(self.factor, vertex, surplus);
+            }
         }
         self.reorder(form);
     }

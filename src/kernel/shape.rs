@@ -21,7 +21,11 @@ pub(crate) struct Factor {
 
 impl Factor {
     /// The number of entries: the binomial number `C(degree + dimension, dimension)`.
+    #[inline]
     pub(crate) fn count(self) -> usize {
+        if self.dimension == 1 {
+            return self.degree + 1;
+        }
         let mut count = 1;
         for k in 1..=self.dimension {
             count = count * (self.degree + k) / k;
@@ -43,7 +47,13 @@ impl Factor {
     }
 
     /// Calls `visit` with the exponents `(α_0, …, α_d)` of every entry in order.
+    #[inline]
     pub(crate) fn for_each(self, mut visit: impl FnMut(&[usize])) {
+        if self.dimension == 1 {
+            // Every curve: nothing to carry.
+            (0..=self.degree).for_each(|exponent| visit(&[self.degree - exponent, exponent]));
+            return;
+        }
         let mut exponents: SmallVec<[usize; 4]> = SmallVec::from_elem(0, self.dimension + 1);
         exponents[0] = self.degree;
         loop {
@@ -84,7 +94,11 @@ impl Shape {
     }
 
     /// How often the factor repeats, and how many scalars one of its entries spans.
+    #[inline]
     pub(crate) fn blocks(&self, factor: usize) -> (usize, usize) {
+        if self.factors.len() == 1 {
+            return (1, self.stride);
+        }
         let count = |factors: &[Factor]| factors.iter().map(|factor| factor.count()).product::<usize>();
         (count(&self.factors[..factor]), count(&self.factors[factor + 1..]) * self.stride)
     }
@@ -96,7 +110,11 @@ impl Shape {
     }
 
     /// Calls `visit` with the exponents of every point at all vertices of all factors.
+    #[inline]
     pub(crate) fn for_each(&self, mut visit: impl FnMut(&[usize])) {
+        if let [factor] = self.factors[..] {
+            return factor.for_each(visit);
+        }
         let mut lists: SmallVec<[Vec<usize>; 2]> = SmallVec::new();
         for factor in &self.factors {
             let mut list = Vec::with_capacity(factor.count() * (factor.dimension + 1));
