@@ -153,26 +153,27 @@ impl<C: Coefficient> Curve<C> {
         if arguments.len() != self.degree {
             return Err(Error::WrongCount { what: "polar arguments", expected: self.degree, found: arguments.len() });
         }
-        let mut constant = C::unit();
+        let mut divisors: SmallVec<[C; 4]> = SmallVec::new();
         let mut parameters: SmallVec<[C; 12]> = SmallVec::with_capacity(3 * self.degree + 1);
         for (t, w) in arguments {
             let (t, t_scale) = t.fraction();
-            constant.multiply(&t_scale);
             if w.is_unit() {
                 parameters.push(t);
-                parameters.push(t_scale);
-                continue;
+                parameters.push(t_scale.clone());
+            } else {
+                let (w, w_scale) = w.fraction();
+                parameters.push(t.times(&w_scale));
+                parameters.push(w.times(&t_scale));
+                divisors.push(w_scale);
             }
-            let (w, w_scale) = w.fraction();
-            constant.multiply(&w_scale);
-            parameters.push(t.times(&w_scale));
-            parameters.push(w.times(&t_scale));
+            divisors.push(t_scale);
         }
         extend_by_multiples(&mut parameters, self.degree);
         // The first multiple is the common one.
-        constant.multiply(&parameters[2 * self.degree]);
+        let constant = parameters[2 * self.degree].clone();
         let task = SymmetricSum { degree: self.degree, dimension: self.dimension };
-        Ok(C::compute(&task, &self.coefficients, &parameters, &[self.point_layout(constant)]))
+        let layout = Layout { divisors, ..self.point_layout(constant) };
+        Ok(C::compute(&task, &self.coefficients, &parameters, &[layout]))
     }
 
     /// The point `F(t)`.
@@ -216,9 +217,9 @@ impl<C: Coefficient> Curve<C> {
         let (reframe, parameters) =
             Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame(format!("the frame {frame} is degenerate")))?;
         let shape = Shape::curve(self.degree, self.dimension);
-        let layout = Layout { shape: shape.clone(), scales: smallvec::smallvec![r_scale, s_scale], multinomial: true, constant: C::unit() };
-        let task = ChangeFrame { shape, reframe, from_form: true };
-        Segment::new(self.dimension, C::compute(&task, &self.coefficients, &parameters, &[layout]), frame.clone())
+        let layout = Layout { scales: smallvec::smallvec![r_scale, s_scale], ..Layout::form(shape.clone()) };
+        let task = ChangeFrame { shape: shape.clone(), reframe, from_form: true };
+        Ok(Segment::from_net(shape, C::compute(&task, &self.coefficients, &parameters, &[layout]), frame.clone()))
     }
 
     /// The image under an affine map.

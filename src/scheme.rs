@@ -1,6 +1,6 @@
 //! The triangular scheme of de Casteljau's algorithm.
 
-use smallvec::smallvec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::affine::{Interval, Parameter};
 use crate::error::Error;
@@ -43,7 +43,13 @@ impl<C: Coefficient> Scheme<C> {
         let found = segment.frame().weights(&Parameter::from(t.clone()))?;
         // The scheme of a line is a triangle with vertices r, t, s.
         let shape = Shape { factors: smallvec![Factor { dimension: 2, degree }], stride: dimension };
-        let layout = Layout { shape, scales: smallvec![C::unit(), found.scale, C::unit()], multinomial: false, constant: C::unit() };
+        let layout = Layout {
+            shape,
+            scales: smallvec![C::unit(), found.scale, C::unit()],
+            multinomial: false,
+            constant: C::unit(),
+            divisors: SmallVec::new(),
+        };
         let task = Casteljau { shape: segment.shape().clone() };
         let coordinates = C::compute(&task, segment.coordinates(), &found.weights, &[layout]);
         Ok(Self { degree, dimension, frame: segment.frame().clone(), parameter: t.clone(), coordinates })

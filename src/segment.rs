@@ -1,6 +1,6 @@
 //! Segments of polynomial curves, given by control points over a frame.
 
-use smallvec::smallvec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::affine::{AffineMap, Interval, Parameter};
 use crate::curve::Curve;
@@ -123,6 +123,12 @@ impl<C: Coefficient> Segment<C> {
         self.coordinates.chunks_exact(self.dimension())
     }
 
+    /// The segment with so many coordinates as the shape says.
+    pub(crate) fn from_net(shape: Shape, coordinates: Vec<C>, frame: Interval<C>) -> Self {
+        debug_assert_eq!(coordinates.len(), shape.points() * shape.stride);
+        Self { shape, coordinates, frame }
+    }
+
     fn rebuilt(&self, degree: usize, coordinates: Vec<C>, frame: Interval<C>) -> Self {
         Self { shape: self.shape.with_degree(0, degree), coordinates, frame }
     }
@@ -146,7 +152,13 @@ impl<C: Coefficient> Segment<C> {
         let [first, second] = [self.frame.weights(&vertices[0])?, self.frame.weights(&vertices[1])?];
         let rows = first.weights.into_iter().chain(second.weights).collect();
         let (reframe, parameters) = Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame("the new frame is degenerate".into()))?;
-        let layout = Layout { shape: self.shape.clone(), scales: smallvec![first.scale, second.scale], multinomial, constant: C::unit() };
+        let layout = Layout {
+            shape: self.shape.clone(),
+            scales: smallvec![first.scale, second.scale],
+            multinomial,
+            constant: C::unit(),
+            divisors: SmallVec::new(),
+        };
         let task = ChangeFrame { shape: self.shape.clone(), reframe, from_form: false };
         Ok(C::compute(&task, &self.coordinates, &parameters, &[layout]))
     }
@@ -184,14 +196,14 @@ impl<C: Coefficient> Segment<C> {
         if arguments.len() != self.degree() {
             return Err(Error::WrongCount { what: "polar arguments", expected: self.degree(), found: arguments.len() });
         }
-        let mut constant = C::unit();
+        let mut divisors = SmallVec::new();
         let mut parameters = Vec::with_capacity(2 * arguments.len());
         for argument in arguments {
             let found = self.frame.weights(argument)?;
             parameters.extend(found.weights);
-            constant.multiply(&found.scale);
+            divisors.push(found.scale);
         }
-        let layout = Layout::constant(Shape::curve(0, self.dimension()), constant);
+        let layout = Layout { divisors, ..Layout::constant(Shape::curve(0, self.dimension()), C::unit()) };
         Ok(C::compute(&PolarValue { shape: self.shape.clone() }, &self.coordinates, &parameters, &[layout]))
     }
 
@@ -233,7 +245,8 @@ impl<C: Coefficient> Segment<C> {
         let left = Interval::new(self.frame.r().clone(), t.clone())?;
         let right = Interval::new(t.clone(), self.frame.s().clone())?;
         let found = self.frame.weights(&Parameter::from(t.clone()))?;
-        let half = |scales| Layout { shape: self.shape.clone(), scales, multinomial: false, constant: C::unit() };
+        let half =
+            |scales| Layout { shape: self.shape.clone(), scales, multinomial: false, constant: C::unit(), divisors: SmallVec::new() };
         let layouts = [half(smallvec![C::unit(), found.scale.clone()]), half(smallvec![found.scale, C::unit()])];
         let mut first = C::compute(&Split { shape: self.shape.clone() }, &self.coordinates, &found.weights, &layouts);
         let second = first.split_off(self.coordinates.len());

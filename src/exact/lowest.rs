@@ -10,6 +10,7 @@
 use num_traits::{PrimInt, Unsigned, WrappingMul};
 
 use super::gcd::{gcd_u64, gcd_u128};
+use super::width::Ring;
 
 const ODD_PRIMES: [usize; 10] = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31];
 /// Below this all primes are 2 and [`ODD_PRIMES`].
@@ -17,6 +18,9 @@ const FIRST_OTHER: usize = 37;
 
 /// One or two machine words without a sign.
 pub(crate) trait Word: PrimInt + Unsigned + WrappingMul {
+    /// The integers of the same width.
+    type Signed: Ring;
+    const BITS: u64;
     /// For each odd prime its inverse, and the quotient of the largest multiple.
     const INVERSES: [(Self, Self); ODD_PRIMES.len()];
     /// The greatest common divisor.
@@ -24,11 +28,15 @@ pub(crate) trait Word: PrimInt + Unsigned + WrappingMul {
     /// The low words of the number.
     fn from_u128(value: u128) -> Self;
     fn into_u128(self) -> u128;
+    /// The absolute value.
+    fn of_signed(value: &Self::Signed) -> Self;
 }
 
 macro_rules! word {
-    ($type:ty, $gcd:ident) => {
+    ($type:ty, $signed:ty, $gcd:ident) => {
         impl Word for $type {
+            type Signed = $signed;
+            const BITS: u64 = <$type>::BITS as u64;
             const INVERSES: [(Self, Self); ODD_PRIMES.len()] = {
                 let mut table = [(0, 0); ODD_PRIMES.len()];
                 let mut index = 0;
@@ -58,12 +66,16 @@ macro_rules! word {
             fn into_u128(self) -> u128 {
                 u128::from(self)
             }
+            #[inline]
+            fn of_signed(value: &$signed) -> Self {
+                value.unsigned_abs()
+            }
         }
     };
 }
 
-word!(u64, gcd_u64);
-word!(u128, gcd_u128);
+word!(u64, i64, gcd_u64);
+word!(u128, i128, gcd_u128);
 
 /// A set of odd primes, one bit each. (Two is always looked for.)
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use num_bigint::BigUint;
 /// Products of many factors lose less than one bit in total, where adding up
 /// bit lengths would lose up to one bit a factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Magnitude {
+pub struct Magnitude {
     mantissa: u64,
     exponent: u64,
 }

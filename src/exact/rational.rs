@@ -118,6 +118,11 @@ impl Rational {
         if numer <= LARGEST && denom <= LARGEST {
             return Self::small(if negative { -(numer as i64) } else { numer as i64 }, denom as u64);
         }
+        Self::from_long_lowest(negative, numer, denom)
+    }
+
+    #[cold]
+    fn from_long_lowest(negative: bool, numer: u128, denom: u128) -> Self {
         let sign = if negative { Sign::Minus } else { Sign::Plus };
         Self::from_reduced_big(BigInt::from_biguint(sign, numer.into()), BigInt::from(denom))
     }

@@ -42,6 +42,10 @@ pub trait Ring: Clone {
     }
     /// Whether this is an odd integer.
     fn is_odd(&self) -> bool;
+    /// The value if it is an integer of one word.
+    fn as_word(&self) -> Option<i64>;
+    /// The integer, which the caller has bounded to fit.
+    fn from_word(value: i64) -> Self;
     /// A bound of an integer. (Other elements have no use for one.)
     fn magnitude(&self) -> Magnitude;
 }
@@ -118,6 +122,15 @@ macro_rules! machine_integer {
             fn is_odd(&self) -> bool {
                 self & 1 == 1
             }
+            #[inline]
+            fn as_word(&self) -> Option<i64> {
+                i64::try_from(*self).ok()
+            }
+            #[inline]
+            fn from_word(value: i64) -> Self {
+                <$type>::from(value)
+            }
+            #[inline]
             fn magnitude(&self) -> Magnitude {
                 Magnitude::from(self.unsigned_abs())
             }
@@ -190,6 +203,12 @@ impl Ring for BigInt {
     }
     fn is_odd(&self) -> bool {
         self.bit(0)
+    }
+    fn as_word(&self) -> Option<i64> {
+        i64::try_from(self).ok()
+    }
+    fn from_word(value: i64) -> Self {
+        Self::from(value)
     }
     fn magnitude(&self) -> Magnitude {
         Magnitude::from_big(self.magnitude())
@@ -340,6 +359,12 @@ impl<const N: usize> Ring for Fixed<N> {
     }
     fn is_odd(&self) -> bool {
         self.0[0] & 1 == 1
+    }
+    fn as_word(&self) -> Option<i64> {
+        self.into_big().as_word()
+    }
+    fn from_word(value: i64) -> Self {
+        <Self as Integer>::from_i64(value)
     }
     fn magnitude(&self) -> Magnitude {
         Magnitude::from_big(self.into_big().magnitude())

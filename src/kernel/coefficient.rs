@@ -65,7 +65,7 @@ pub(crate) mod sealed {
     pub trait Task {
         /// The most that any number on the way exceeds the largest number of
         /// the data by, and at least every parameter to every power it is used in.
-        fn growth(&self, parameters: &[Magnitude]) -> Magnitude;
+        fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude;
         /// The computation itself, on numerators and integer parameters.
         fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R>;
     }
@@ -131,12 +131,15 @@ impl Ring for Rational {
     fn is_unit(&self) -> bool {
         self.as_small() == Some((1, 1))
     }
+    #[inline]
     fn add(&mut self, other: &Self) {
         *self += other;
     }
+    #[inline]
     fn subtract(&mut self, other: &Self) {
         *self -= other;
     }
+    #[inline]
     fn multiply(&mut self, other: &Self) {
         *self *= other;
     }
@@ -152,6 +155,15 @@ impl Ring for Rational {
             None => self.is_integer() && self.numer().bit(0),
         }
     }
+    #[inline]
+    fn as_word(&self) -> Option<i64> {
+        self.as_small().and_then(|(numer, denom)| (denom == 1).then_some(numer))
+    }
+    #[inline]
+    fn from_word(value: i64) -> Self {
+        Self::from(value)
+    }
+    #[inline]
     fn magnitude(&self) -> Magnitude {
         magnitude_of_integer(self)
     }
@@ -194,12 +206,19 @@ impl Ring for Polynomial {
     fn is_odd(&self) -> bool {
         Polynomial::as_rational(self).is_some_and(|value| Ring::is_odd(&value))
     }
+    fn as_word(&self) -> Option<i64> {
+        Polynomial::as_rational(self).and_then(|value| value.as_word())
+    }
+    fn from_word(value: i64) -> Self {
+        Self::from(Rational::from(value))
+    }
     fn magnitude(&self) -> Magnitude {
         Magnitude::ONE
     }
 }
 
 impl Compute for Rational {
+    #[inline]
     fn fraction(&self) -> (Self, Self) {
         match self.as_small() {
             Some((numer, denom)) => (Self::from(numer), Self::from(denom as i64)),
@@ -219,8 +238,7 @@ impl Compute for Rational {
             Some((_, largest)) => Magnitude::from(*largest),
             None => common.largest_numerator(data),
         };
-        let sizes: SmallVec<[Magnitude; 12]> = parameters.iter().map(magnitude_of_integer).collect();
-        let bound = task.growth(&sizes).times(largest.max(Magnitude::ONE));
+        let bound = task.growth(parameters).times(largest.max(Magnitude::ONE));
         let call = Call { task, data, words: words.map(|(words, _)| words), parameters, layouts, common: &common };
         match bound.bits() {
             0..=63 => call.run::<i64>(),
@@ -251,6 +269,7 @@ impl Compute for Polynomial {
             let mut multinomials = layout.multinomials::<BigInt>().into_iter();
             layout.shape.for_each(|exponents| {
                 let mut divisor = layout.constant.clone();
+                layout.divisors.iter().for_each(|factor| divisor.multiply(factor));
                 for (scale, &exponent) in layout.scales.iter().zip(exponents) {
                     (0..exponent).for_each(|_| divisor.multiply(scale));
                 }
@@ -284,7 +303,8 @@ impl<T: Task> Call<'_, T> {
             Some(words) => words.into_iter().map(R::from_i64).collect(),
             None => self.data.iter().map(|value| self.common.numerator(value)).collect(),
         };
-        let parameters: SmallVec<[R; 12]> = self.parameters.iter().map(integer).collect();
+        let mut parameters: SmallVec<[R; 32]> = SmallVec::new();
+        parameters.extend(self.parameters.iter().map(integer));
         let results = self.task.run(numerators, &parameters);
         let mut reduced = Vec::with_capacity(results.len());
         let mut results = results.into_iter();

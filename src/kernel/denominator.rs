@@ -4,13 +4,14 @@ use num_bigint::{BigInt, BigUint};
 use num_traits::{One, Signed, Zero};
 use smallvec::SmallVec;
 
+use super::form::Form;
 use super::layout::Layout;
 use super::shape::{Factor, Shape};
 use crate::exact::Rational;
 use crate::exact::gcd::{gcd_big, gcd_u64};
 use crate::exact::lowest::{PrimeSet, Word, lowest};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Integer;
+use crate::exact::width::{Integer, Ring};
 
 #[inline]
 pub(crate) fn magnitude_of_integer(value: &Rational) -> Magnitude {
@@ -143,12 +144,9 @@ fn vertex_degrees(shape: &Shape) -> impl Iterator<Item = usize> {
     shape.factors.iter().flat_map(|factor| std::iter::repeat_n(factor.degree, factor.dimension + 1))
 }
 
-/// Denominators that fit one or two words, whatever the entry.
-pub(crate) struct ShortDenominators<W> {
-    constant: W,
-    /// The powers of the scales, one vertex after the other.
-    powers: SmallVec<[W; 24]>,
-    multinomials: Vec<W>,
+/// Denominators that fit one or two words: `W` without a sign.
+pub(crate) struct ShortDenominators<W: Word> {
+    denominators: Form<W::Signed>,
     primes: Primes,
 }
 
@@ -166,27 +164,33 @@ impl<W: Word> ShortDenominators<W> {
     /// `None` if a denominator might not fit, or is negative.
     pub(crate) fn new(layout: &Layout<Rational>, common: &CommonDenominator) -> Option<Self> {
         let CommonDenominator::Word(common) = *common else { return None };
-        let positive = |value: &Rational| value.as_small().filter(|&(numer, _)| numer > 0).map(|(numer, _)| numer.unsigned_abs());
-        let constant = positive(&layout.constant)?;
-        let mut bound = Magnitude::from(constant).times(Magnitude::from(common));
-        let (mut primes, mut smooth) = (PrimeSet::EMPTY, true);
+        let positive = |value: &Rational| value.as_small().filter(|&(numer, _)| numer > 0).map(|(numer, _)| numer);
+        // A gcd or two cost less than looking for primes.
         let few = layout.shape.points() * layout.shape.stride < 3;
-        let mut note = |value: u64| {
+        let (mut primes, mut smooth) = (PrimeSet::EMPTY, true);
+        let mut note = |value: i64| {
             if value > 1 && !few {
-                let (found, rest) = PrimeSet::of(value);
+                let (found, rest) = PrimeSet::of(value.unsigned_abs());
                 primes = primes.union(found);
                 smooth &= rest == 1;
             }
         };
-        note(constant);
-        note(common);
+        let mut bound = Magnitude::from(common);
+        let mut constant = <W::Signed as Ring>::from_word(common as i64);
+        note(common as i64);
+        for factor in std::iter::once(&layout.constant).chain(&layout.divisors) {
+            let factor = positive(factor)?;
+            note(factor);
+            bound = bound.times(Magnitude::from(factor.unsigned_abs()));
+            constant.multiply(&<W::Signed as Ring>::from_word(factor));
+        }
         let mut scales = layout.scales.iter();
         for &Factor { dimension, degree } in &layout.shape.factors {
             let mut largest = 1;
             for scale in scales.by_ref().take(dimension + 1) {
                 let scale = positive(scale)?;
-                largest = largest.max(scale);
                 note(scale);
+                largest = largest.max(scale.unsigned_abs());
             }
             bound = bound.times(Magnitude::from(largest).power(degree));
             if layout.multinomial {
@@ -194,54 +198,27 @@ impl<W: Word> ShortDenominators<W> {
                 bound = bound.times(Magnitude::from(dimension as u64 + 1).power(degree)).times(Magnitude::from(degree as u64 + 1));
             }
         }
-        if layout.multinomial {
+        if layout.multinomial && !few {
             for factor in &layout.shape.factors {
                 let (found, all) = PrimeSet::up_to(factor.degree);
                 primes = primes.union(found);
                 smooth &= all;
             }
         }
-        if bound.bits() > u64::from(W::zero().count_zeros()) - 1 {
+        if bound.bits() > W::BITS - 1 {
             return None;
         }
-        let mut powers = SmallVec::new();
-        for (scale, degree) in layout.scales.iter().zip(vertex_degrees(&layout.shape)) {
-            let scale = W::from_u128(u128::from(positive(scale)?));
-            let mut power = W::one();
-            powers.push(power);
-            for _ in 0..degree {
-                power = power * scale;
-                powers.push(power);
-            }
-        }
-        // The signed ring of the same width computes them; none is negative.
-        let multinomials = if W::zero().count_zeros() == 64 {
-            layout.multinomials::<i64>().into_iter().map(|value| W::from_u128(u128::from(value.unsigned_abs()))).collect()
-        } else {
-            layout.multinomials::<i128>().into_iter().map(|value| W::from_u128(value.unsigned_abs())).collect()
-        };
-        let constant = W::from_u128(u128::from(constant)) * W::from_u128(u128::from(common));
         let primes = match smooth {
             _ if few => Primes::Unknown,
             true => Primes::Only(primes),
             false => Primes::Also(primes),
         };
-        Some(Self { constant, powers, multinomials, primes })
+        Some(Self { denominators: form_of_denominators(layout, &constant), primes })
     }
 
     pub(crate) fn reduce<R: Integer>(&self, layout: &Layout<Rational>, results: &mut impl Iterator<Item = R>, reduced: &mut Vec<Rational>) {
-        let degrees: SmallVec<[usize; 6]> = vertex_degrees(&layout.shape).take(layout.scales.len()).collect();
-        let mut multinomials = self.multinomials.iter();
-        layout.shape.for_each(|exponents| {
-            let mut denominator = self.constant;
-            let mut powers = &self.powers[..];
-            for (&exponent, &degree) in exponents.iter().zip(&degrees) {
-                denominator = denominator * powers[exponent];
-                powers = &powers[degree + 1..];
-            }
-            if let Some(&multinomial) = multinomials.next() {
-                denominator = denominator * multinomial;
-            }
+        for denominator in &self.denominators.entries {
+            let denominator = W::of_signed(denominator);
             let (primes, rest) = match self.primes {
                 Primes::Only(primes) => (primes, W::one()),
                 Primes::Also(primes) => (primes, PrimeSet::of(denominator).1),
@@ -257,8 +234,28 @@ impl<W: Word> ShortDenominators<W> {
                     Rational::from_lowest(value < 0, numer.into_u128(), denom.into_u128())
                 });
             }
-        });
+        }
     }
+}
+
+/// The denominators in the order of the points: the constant, or its multiples
+/// by the multinomial numbers, with every vertex scaled like a form's.
+fn form_of_denominators<R: Ring>(layout: &Layout<Rational>, constant: &R) -> Form<R> {
+    let mut entries = if layout.multinomial { layout.multinomials() } else { vec![R::unit(); layout.shape.points()] };
+    if !constant.is_unit() {
+        entries.iter_mut().for_each(|entry| entry.multiply(constant));
+    }
+    let mut form = Form { shape: Shape { factors: layout.shape.factors.clone(), stride: 1 }, entries };
+    let mut scales = layout.scales.iter();
+    for (position, factor) in layout.shape.factors.iter().enumerate() {
+        for vertex in 0..=factor.dimension {
+            let Some(scale) = scales.next() else { return form };
+            if let Some(word) = scale.as_word() {
+                form.scale(position, vertex, &R::from_word(word));
+            }
+        }
+    }
+    form
 }
 
 /// Denominators of any size, kept in factors.
@@ -279,7 +276,10 @@ impl LongDenominators {
         let scales = || layout.scales.iter().map(integer::<BigInt>);
         let radical = scales().product::<BigInt>().abs();
         Self {
-            constant: integer::<BigInt>(&layout.constant) * common.to_big(),
+            constant: layout
+                .divisors
+                .iter()
+                .fold(integer::<BigInt>(&layout.constant) * common.to_big(), |constant, divisor| constant * integer::<BigInt>(divisor)),
             powers: scales().zip(vertex_degrees(&layout.shape)).map(|(scale, degree)| powers(scale, degree)).collect(),
             multinomials: layout.multinomials(),
             radical: u64::try_from(radical).ok(),

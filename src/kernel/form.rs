@@ -51,7 +51,7 @@ impl<R: Ring> Form<R> {
         let (outer, inner) = self.shape.blocks(factor);
         if simplex.dimension == 1 {
             // The exponents of a curve count up or down: one running power.
-            for block in self.entries.chunks_exact_mut((simplex.degree + 1) * inner) {
+            for block in blocks(&mut self.entries, outer, (simplex.degree + 1) * inner) {
                 let mut power = R::unit();
                 for exponent in 1..=simplex.degree {
                     power.multiply(weight);
@@ -92,8 +92,8 @@ impl<R: Ring> Form<R> {
     #[inline]
     fn shear_by(&mut self, factor: usize, source: usize, target: usize, add: impl Fn(&mut R, &R)) {
         let simplex = self.shape.factors[factor];
-        let (_, inner) = self.shape.blocks(factor);
-        let blocks = self.entries.chunks_exact_mut(simplex.count() * inner);
+        let (outer, inner) = self.shape.blocks(factor);
+        let blocks = blocks(&mut self.entries, outer, simplex.count() * inner);
         if simplex.dimension == 1 {
             // Neighbours on the one line of a curve are neighbours in memory.
             blocks.for_each(|block| if target == 1 { shear_up(block, inner, &add) } else { shear_down(block, inner, &add) });
@@ -173,6 +173,17 @@ impl<R: Ring> Form<R> {
         }
         Self { shape: Shape::curve(m + n, stride), entries }
     }
+}
+
+/// The entries in pieces of one length. (`chunks_exact_mut` would divide, which
+/// is felt on the few entries of a cubic.)
+#[inline]
+fn blocks<R>(mut entries: &mut [R], count: usize, length: usize) -> impl Iterator<Item = &mut [R]> {
+    (0..count).map(move |_| {
+        let (block, rest) = std::mem::take(&mut entries).split_at_mut(length);
+        entries = rest;
+        block
+    })
 }
 
 /// Horner's scheme on a line that lies in order, `inner` interleaved ones at a time.

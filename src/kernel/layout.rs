@@ -6,7 +6,7 @@ use super::shape::Shape;
 use crate::exact::width::Ring;
 
 /// What the numbers of a result are to be divided by: for the entry with
-/// exponents `α`, the constant, each vertex's scale to the power of its
+/// exponents `α`, the constant and the divisors, each vertex's scale to the power of its
 /// exponent, and, if asked for, the multinomial number of `α`.
 #[derive(Clone, Debug)]
 pub struct Layout<C> {
@@ -14,6 +14,8 @@ pub struct Layout<C> {
     pub(crate) scales: SmallVec<[C; 3]>,
     pub(crate) multinomial: bool,
     pub(crate) constant: C,
+    /// Factors of the constant that are better not multiplied out beforehand.
+    pub(crate) divisors: SmallVec<[C; 4]>,
 }
 
 impl<C> Layout<C> {
@@ -75,11 +77,11 @@ pub(crate) fn multiply_by_multinomials<R: Ring>(shape: &Shape, entries: &mut [R]
 impl<C: Ring> Layout<C> {
     /// Every entry over the same number.
     pub(crate) fn constant(shape: Shape, constant: C) -> Self {
-        Self { shape, scales: SmallVec::new(), multinomial: false, constant }
+        Self { shape, scales: SmallVec::new(), multinomial: false, constant, divisors: SmallVec::new() }
     }
 
     /// A form over vertices that are points, to be read as a net.
     pub(crate) fn form(shape: Shape) -> Self {
-        Self { shape, scales: SmallVec::new(), multinomial: true, constant: C::unit() }
+        Self { shape, scales: SmallVec::new(), multinomial: true, constant: C::unit(), divisors: SmallVec::new() }
     }
 }

@@ -30,7 +30,7 @@ pub(crate) struct ChangeFrame {
 }
 
 impl Task for ChangeFrame {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         let degree = self.shape.factors[0].degree;
         let entries = if self.from_form { Magnitude::from(degree as u64 + 1) } else { multinomial_growth(degree) };
         self.reframe.growth(degree, parameters).times(entries)
@@ -49,12 +49,13 @@ pub(crate) struct PolarValue {
     pub(crate) shape: Shape,
 }
 
-fn weights_growth(weights: &[Magnitude]) -> Magnitude {
-    weights.iter().fold(Magnitude::ZERO, |sum, &weight| sum.plus(weight)).max(Magnitude::ONE)
+#[inline]
+fn weights_growth<R: Ring>(weights: &[R]) -> Magnitude {
+    weights.iter().fold(Magnitude::ZERO, |sum, weight| sum.plus(weight.magnitude())).max(Magnitude::ONE)
 }
 
 impl Task for PolarValue {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         parameters.chunks_exact(2).fold(Magnitude::ONE, |growth, weights| growth.times(weights_growth(weights)))
     }
 
@@ -73,7 +74,7 @@ pub(crate) struct Casteljau {
 }
 
 impl Task for Casteljau {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         weights_growth(parameters).power(self.shape.factors[0].degree)
     }
 
@@ -88,7 +89,7 @@ pub(crate) struct Split {
 }
 
 impl Task for Split {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         weights_growth(parameters).power(self.shape.factors[0].degree)
     }
 
@@ -107,7 +108,7 @@ pub(crate) struct ChangeDegree {
 }
 
 impl Task for ChangeDegree {
-    fn growth(&self, _: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, _: &[R]) -> Magnitude {
         multinomial_growth(self.shape.factors[0].degree.max(self.degree)).times(Magnitude::from(self.degree as u64 + 1))
     }
 
@@ -129,8 +130,8 @@ pub(crate) struct Product {
 }
 
 impl Task for Product {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
-        let largest = parameters.iter().fold(Magnitude::ONE, |largest, &parameter| largest.max(parameter));
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
+        let largest = parameters.iter().fold(Magnitude::ONE, |largest, parameter| largest.max(parameter.magnitude()));
         let degrees = [&self.first, &self.second].map(|shape| multinomial_growth(shape.factors[0].degree));
         largest.times(degrees[0]).times(degrees[1])
     }
@@ -154,9 +155,9 @@ pub(crate) struct SymmetricSum {
 }
 
 impl Task for SymmetricSum {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         let (arguments, multiples) = parameters.split_at(2 * self.degree);
-        let largest = multiples.iter().fold(Magnitude::ONE, |largest, &multiple| largest.max(multiple));
+        let largest = multiples.iter().fold(Magnitude::ONE, |largest, multiple| largest.max(multiple.magnitude()));
         arguments.chunks_exact(2).fold(largest, |growth, argument| growth.times(weights_growth(argument)))
     }
 
@@ -178,19 +179,22 @@ impl Task for SymmetricSum {
 
 /// The coefficients of the product of all `(w_i + t_i X)`, from pairs `(t_i, w_i)`.
 pub(crate) fn elementary_symmetric<R: Ring>(arguments: &[R]) -> SmallVec<[R; 12]> {
-    let mut symmetric: SmallVec<[R; 12]> = SmallVec::with_capacity(arguments.len() / 2 + 1);
-    symmetric.push(R::unit());
-    for argument in arguments.chunks_exact(2) {
+    let count = arguments.len() / 2;
+    let mut symmetric: SmallVec<[R; 12]> = SmallVec::new();
+    symmetric.resize(count + 1, R::nothing());
+    symmetric[0] = R::unit();
+    for (done, argument) in arguments.chunks_exact(2).enumerate() {
         let (t, w) = (&argument[0], &argument[1]);
-        symmetric.push(R::nothing());
-        for k in (0..symmetric.len()).rev() {
-            let mut value = symmetric[k].clone();
-            value.multiply(w);
-            if k > 0 {
-                value.add_product(&symmetric[k - 1], t);
+        let row = &mut symmetric[..=done + 1];
+        // The last entry is new: nothing yet times `w`.
+        for k in (1..row.len()).rev() {
+            let (head, tail) = row.split_at_mut(k);
+            if k <= done {
+                tail[0].multiply(w);
             }
-            symmetric[k] = value;
+            tail[0].add_product(&head[k - 1], t);
         }
+        row[0].multiply(w);
     }
     symmetric
 }
@@ -202,7 +206,7 @@ pub(crate) struct Value {
 }
 
 impl Task for Value {
-    fn growth(&self, parameters: &[Magnitude]) -> Magnitude {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         weights_growth(parameters).power(self.degree + 1).times(Magnitude::from(self.degree as u64 + 1))
     }
 
