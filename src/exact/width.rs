@@ -14,6 +14,8 @@ use super::magnitude::Magnitude;
 /// What the kernel needs of its scalars: ring operations, no division but the
 /// one that undoes an earlier multiplication.
 pub trait Ring: Clone {
+    /// Whether a product costs many times a sum.
+    const LONG: bool = false;
     /// Zero.
     fn nothing() -> Self;
     /// One.
@@ -166,6 +168,7 @@ machine_integer!(i64, 1);
 machine_integer!(i128, 2);
 
 impl Ring for BigInt {
+    const LONG: bool = true;
     fn nothing() -> Self {
         Self::ZERO
     }

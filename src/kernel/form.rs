@@ -56,7 +56,11 @@ impl<R: Ring> Form<R> {
                 for exponent in 1..=simplex.degree {
                     power.multiply(weight);
                     let place = if vertex == 1 { exponent } else { simplex.degree - exponent };
-                    block[place * inner..(place + 1) * inner].iter_mut().for_each(|scalar| apply(scalar, &power));
+                    match &mut block[place * inner..(place + 1) * inner] {
+                        // One coordinate is frequent, and not worth a vector loop.
+                        [scalar] => apply(scalar, &power),
+                        point => point.iter_mut().for_each(|scalar| apply(scalar, &power)),
+                    }
                 }
             }
             return;
@@ -83,6 +87,12 @@ impl<R: Ring> Form<R> {
     fn shear(&mut self, factor: usize, source: usize, target: usize, weight: &R) {
         if weight.is_unit() {
             self.shear_by(factor, source, target, R::add);
+        } else if R::LONG {
+            // In units of `weight` the vertex is sheared by 1: a linear number
+            // of multiplications instead of a quadratic one.
+            self.scale(factor, source, weight);
+            self.shear_by(factor, source, target, R::add);
+            self.unscale(factor, source, weight);
         } else {
             self.shear_by(factor, source, target, |to, from| to.add_product(from, weight));
         }
@@ -186,14 +196,29 @@ fn blocks<R>(mut entries: &mut [R], count: usize, length: usize) -> impl Iterato
     })
 }
 
+/// One pass of Horner's scheme: every entry takes in the one before it.
+#[inline]
+fn carry<'a, R: 'a>(mut line: impl Iterator<Item = &'a mut R>, add: impl Fn(&mut R, &R)) {
+    let Some(first) = line.next() else { return };
+    let mut from = &*first;
+    for to in line {
+        add(to, from);
+        from = to;
+    }
+}
+
 /// Horner's scheme on a line that lies in order, `inner` interleaved ones at a time.
 #[inline]
 fn shear_up<R>(block: &mut [R], inner: usize, add: impl Fn(&mut R, &R)) {
     let mut end = block.len();
     while end > inner {
-        for place in inner..end {
-            let (head, tail) = block[place - inner..end].split_at_mut(inner);
-            add(&mut tail[0], &head[0]);
+        if inner == 1 {
+            carry(block[..end].iter_mut(), &add);
+        } else {
+            for place in inner..end {
+                let (head, tail) = block[place - inner..end].split_at_mut(inner);
+                add(&mut tail[0], &head[0]);
+            }
         }
         end -= inner;
     }
@@ -204,9 +229,13 @@ fn shear_up<R>(block: &mut [R], inner: usize, add: impl Fn(&mut R, &R)) {
 fn shear_down<R>(block: &mut [R], inner: usize, add: impl Fn(&mut R, &R)) {
     let mut start = 0;
     while start + inner < block.len() {
-        for place in (start..block.len() - inner).rev() {
-            let (head, tail) = block[place..].split_at_mut(inner);
-            add(&mut head[0], &tail[0]);
+        if inner == 1 {
+            carry(block[start..].iter_mut().rev(), &add);
+        } else {
+            for place in (start..block.len() - inner).rev() {
+                let (head, tail) = block[place..].split_at_mut(inner);
+                add(&mut head[0], &tail[0]);
+            }
         }
         start += inner;
     }

@@ -45,7 +45,7 @@ impl Reframe {
             }
         }
         let (plan, words) = Self::eliminate(factor, size, words)?;
-        Some((plan, words.into_iter().map(R::from_word).collect()))
+        Some((plan, words.iter().map(|&word| R::from_word(word)).collect()))
     }
 
     fn eliminate<R: Ring>(factor: usize, size: usize, mut rows: Parameters<R>) -> Option<(Self, Parameters<R>)> {
@@ -60,13 +60,12 @@ impl Reframe {
         for new in 0..size {
             // Its own place where possible, so that nothing needs reordering;
             // but rather a place with an odd weight, which can be undone.
-            let free = || std::iter::once(new).chain(0..size).filter(|vertex| !places.contains(vertex));
-            let weight = |vertex: usize| &rows[new * size + vertex];
-            let vertex = match free().find(|&vertex| weight(vertex).is_odd()) {
+            let weights = &rows[new * size..(new + 1) * size];
+            let vertex = match place(new, &places, |vertex| weights[vertex].is_odd(), size) {
                 Some(vertex) => vertex,
                 None => {
                     undone &= new + 1 == size;
-                    free().find(|&vertex| !weight(vertex).is_nothing())?
+                    place(new, &places, |vertex| !weights[vertex].is_nothing(), size)?
                 }
             };
             let (done, rest) = rows.split_at_mut((new + 1) * size);
@@ -140,6 +139,13 @@ impl Reframe {
         }
         form.entries = entries;
     }
+}
+
+/// A free place that fits, its own if that does.
+#[inline]
+fn place(new: usize, taken: &[usize], fits: impl Fn(usize) -> bool, size: usize) -> Option<usize> {
+    let free = |vertex: usize| !taken.contains(&vertex) && fits(vertex);
+    if free(new) { Some(new) } else { (0..size).find(|&vertex| free(vertex)) }
 }
 
 #[cfg(test)]
