@@ -62,7 +62,16 @@ impl Magnitude {
         Self::rounded(u128::from(high.mantissa) * (1u128 << room) + u128::from(aligned), high.exponent - room)
     }
 
+    #[inline]
     pub(crate) fn power(self, mut exponent: usize) -> Self {
+        if self == Self::ONE {
+            return self;
+        }
+        if let Some(mantissa) =
+            u32::try_from(exponent).ok().filter(|_| self.exponent == 0).and_then(|power| self.mantissa.checked_pow(power))
+        {
+            return Self::from(mantissa);
+        }
         let (mut base, mut result) = (self, Self::ONE);
         while exponent > 0 {
             if exponent & 1 == 1 {

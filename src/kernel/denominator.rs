@@ -245,7 +245,7 @@ fn form_of_denominators<R: Ring>(layout: &Layout<Rational>, constant: &R) -> For
     if !constant.is_unit() {
         entries.iter_mut().for_each(|entry| entry.multiply(constant));
     }
-    let mut form = Form { shape: Shape { factors: layout.shape.factors.clone(), stride: 1 }, entries };
+    let mut form = Form { shape: Shape { stride: 1, ..layout.shape.clone() }, entries };
     let mut scales = layout.scales.iter();
     for (position, factor) in layout.shape.factors.iter().enumerate() {
         for vertex in 0..=factor.dimension {

@@ -36,12 +36,12 @@ impl Reframe {
     /// `None` if they are not a frame.
     pub(crate) fn new<R: Ring>(factor: usize, size: usize, rows: Parameters<R>) -> Option<(Self, Parameters<R>)> {
         // Short integers are eliminated as such: every step adds one bit to twice the bits.
-        let short = |weight: &R| weight.as_word().filter(|word| word.unsigned_abs() >> (48 >> (size - 1).min(6)) == 0);
-        let mut words: Parameters<i64> = SmallVec::new();
-        for weight in &rows {
-            match short(weight) {
-                Some(word) => words.push(word),
-                None => return Self::eliminate(factor, size, rows),
+        let bits = 48 >> (size - 1).min(6);
+        let mut words: Parameters<i64> = smallvec![0; size * size];
+        for (word, weight) in words.iter_mut().zip(&rows) {
+            match weight.as_word() {
+                Some(short) if short.unsigned_abs() >> bits == 0 => *word = short,
+                _ => return Self::eliminate(factor, size, rows),
             }
         }
         let (plan, words) = Self::eliminate(factor, size, words)?;

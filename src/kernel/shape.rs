@@ -75,21 +75,34 @@ impl Factor {
 }
 
 /// The layout of a net: simplices, outermost first, then the coordinates of a point.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
     pub(crate) factors: SmallVec<[Factor; 2]>,
     /// The number of coordinates of a point.
     pub(crate) stride: usize,
 }
 
+/// The factors are copied in one piece; derived, they would be cloned one by one.
+impl Clone for Shape {
+    #[inline]
+    fn clone(&self) -> Self {
+        Self { factors: SmallVec::from_slice(&self.factors), stride: self.stride }
+    }
+}
+
 impl Shape {
     /// The shape of a curve of polar degree `degree` in `stride` dimensions.
+    #[inline]
     pub(crate) fn curve(degree: usize, stride: usize) -> Self {
         Self { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree }]), stride }
     }
 
     /// The number of points.
+    #[inline]
     pub(crate) fn points(&self) -> usize {
+        if let [factor] = self.factors[..] {
+            return factor.count();
+        }
         self.factors.iter().map(|factor| factor.count()).product()
     }
 
