@@ -3,8 +3,10 @@
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::kernel::coefficient::Coefficient;
-use crate::kernel::task::elementary_symmetric;
+use crate::kernel::coefficient::{Coefficient, Compute};
+use crate::kernel::layout::Layout;
+use crate::kernel::shape::Shape;
+use crate::kernel::task::Symmetric;
 use crate::symbolic::{Monomial, Polynomial, Symbol};
 
 /// The polar form of a curve of polar degree `m`: for every coordinate the
@@ -119,8 +121,14 @@ impl<C: Coefficient + Into<Polynomial>> PolarForm<C> {
 /// ```
 #[must_use]
 pub fn sigma<C: Coefficient>(arguments: &[C]) -> Vec<C> {
-    let pairs: Vec<C> = arguments.iter().flat_map(|t| [t.clone(), C::unit()]).collect();
-    elementary_symmetric(&pairs).into_vec()
+    let mut constant = C::unit();
+    let mut pairs = Vec::with_capacity(2 * arguments.len());
+    for (t, scale) in arguments.iter().map(Compute::fraction) {
+        constant.multiply(&scale);
+        pairs.extend([t, scale]);
+    }
+    let layout = Layout::constant(Shape::curve(arguments.len(), 1), constant);
+    C::compute(&Symmetric, &[C::unit()], &pairs, &[layout])
 }
 
 /// The argument `t_i` of a polar form, counted from 1.
@@ -168,7 +176,7 @@ pub enum PolarDefect {
         coordinate: usize,
         /// The two arguments, counted from 1.
         arguments: (usize, usize),
-        /// The claimed form minus the same with the arguments exchanged.
+        /// The form with the arguments exchanged minus the claimed one.
         difference: Polynomial,
     },
     /// A coordinate has a degree above 1 in an argument.
@@ -211,7 +219,7 @@ pub fn check_polar_form(curve: &Curve<Polynomial>, claim: &[Polynomial], variabl
         for first in 1..curve.degree() {
             let exchanged = claimed.swap(polar_symbol(first), polar_symbol(first + 1));
             if exchanged != *claimed {
-                let difference = claimed - &exchanged;
+                let difference = &exchanged - claimed;
                 defects.push(PolarDefect::NotSymmetric { coordinate, arguments: (first, first + 1), difference });
                 break;
             }

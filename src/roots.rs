@@ -125,11 +125,17 @@ impl RealRoots {
     /// disjoint from each other and from the rational ones.
     #[must_use]
     pub fn isolated(&self) -> Vec<Root> {
+        self.isolated_within(&self.resolution)
+    }
+
+    /// The same with intervals at most so wide.
+    #[must_use]
+    pub fn isolated_within(&self, width: &Rational) -> Vec<Root> {
         let mut found: Vec<(Isolated, &Factor)> = Vec::new();
         for factor in &self.factors {
             for root in &factor.roots {
                 let mut root = factor.rational(root).unwrap_or_else(|| root.clone());
-                while root.length() > self.resolution {
+                while root.length() > *width && width.is_positive() {
                     factor.halve(&mut root);
                 }
                 found.push((root, factor));

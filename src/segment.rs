@@ -53,6 +53,8 @@ pub struct Reduction<C = Rational> {
 impl<C: Coefficient> Segment<C> {
     /// The most rounds of splitting in the middle that are carried out at once.
     pub const MAX_DEPTH: usize = 20;
+    /// The most steps of de Casteljau's algorithm, each on one coordinate, in one subdivision.
+    pub const MAX_SUBDIVISION: usize = 1 << 25;
 
     /// The segment whose control points have these coordinates, point by point.
     ///
@@ -256,11 +258,16 @@ impl<C: Coefficient> Segment<C> {
     /// The pieces of `depth` rounds of splitting in the middle, `2^depth` in order.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for a depth above 20; [`Error::Unsupported`] if the
-    /// length of the frame is symbolic.
+    /// [`Error::TooLarge`] above [`Segment::MAX_DEPTH`] or
+    /// [`Segment::MAX_SUBDIVISION`]; [`Error::Unsupported`] if the length of the
+    /// frame is symbolic.
     pub fn subdivide(&self, depth: usize) -> Result<Vec<Self>, Error> {
         if depth > Self::MAX_DEPTH {
             return Err(Error::TooLarge { what: "depth of subdivision", limit: Self::MAX_DEPTH });
+        }
+        let steps = (self.coordinates.len() << depth).saturating_mul(self.degree() + 1);
+        if steps > Self::MAX_SUBDIVISION {
+            return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit: Self::MAX_SUBDIVISION });
         }
         let half = C::from(Rational::new(1, 2));
         let mut pieces = vec![self.clone()];

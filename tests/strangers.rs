@@ -233,7 +233,12 @@ fn large_but_legal_work_has_limits() {
     refused(&["split", "(0,0) (1,1)", "--depth", "20", "-q"], b"", "beyond the limit");
     refused(&["elevate", "(0,0) (1,1)", "--by", "4096", "-q"], b"", "beyond the limit");
     refused(&["bernstein", "--degree", "4000"], b"", "beyond the limit");
-    refused(&["points", "t^60", "--over", "r..s"], b"", "symbolic");
+    refused(&["points", "(1+t)^200", "--over", "r..s"], b"", "symbolic");
+    refused(&["points", "(1+t)^40", "--over", "a+b..c+d"], b"", "symbolic");
+    let letters: String = ('a'..='z').filter(|letter| *letter != 't').map(|letter| format!("{letter} ")).collect();
+    refused(&["polar", "(1+t)^25", "--at", letters.trim()], b"", "symbolic");
+    refused(&["sigma", letters.trim()], b"", "symbolic");
+    refused(&["elevate", "(0,0) (1,1)", "--by", "4000", "-q"], b"", "beyond the limit");
     refused(&["points", "a t^400", "--over", "0..1"], b"", "symbolic");
     let many = format!("[{}]", vec!["1"; 3000].join(","));
     refused(&["eval", "-", "--at", "1/3", "--steps", "-q"], many.as_bytes(), "beyond the limit");

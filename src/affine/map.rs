@@ -40,6 +40,11 @@ impl<C: Coefficient> AffineMap<C> {
         Ok(AffineMap { rows: self.rows.iter().map(|row| list(row)).collect::<Result<_, E>>()?, shift: list(&self.shift)? })
     }
 
+    /// All its numbers.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = &C> {
+        self.rows.iter().flatten().chain(&self.shift)
+    }
+
     /// The number of coordinates of the points it takes.
     #[must_use]
     pub fn source_dimension(&self) -> usize {

@@ -11,10 +11,21 @@ pub(super) fn separated(arguments: Vec<String>, program: &Command) -> Vec<String
     let mut flags: Vec<String> = arguments.by_ref().take(1).collect();
     let mut command = None;
     let mut values = Vec::new();
+    let mut before = Vec::new();
     while let Some(argument) = arguments.next() {
         let Some(found): Option<&Command> = command else {
+            // What every command takes may also stand before it.
+            if matches!(argument.as_str(), "-q" | "--quiet" | "-v" | "--verbose") || argument.starts_with("--color=") {
+                before.push(argument);
+                continue;
+            }
+            if argument == "--color" {
+                before.extend(arguments.next().map(|choice| format!("--color={choice}")));
+                continue;
+            }
             command = program.find_subcommand(&argument);
             flags.push(argument);
+            flags.append(&mut before);
             if command.is_none() {
                 // Not a command: the parser explains it, or prints help.
                 flags.extend(arguments);
@@ -41,6 +52,11 @@ pub(super) fn separated(arguments: Vec<String>, program: &Command) -> Vec<String
             letters.next().filter(|_| letters.next().is_none())
         });
         let is_known = |letter: char| matches!(letter, 'h' | 'V') || found.get_arguments().any(|flag| flag.get_short() == Some(letter));
+        let is_cluster = argument.len() > 2 && argument[1..].chars().all(|letter| matches!(letter, 'q' | 'v'));
+        if argument.starts_with('-') && is_cluster {
+            flags.push(argument);
+            continue;
+        }
         match short {
             Some(letter) if is_known(letter) => {
                 let takes_value = takes_value(found, |flag| flag.get_short() == Some(letter));
@@ -81,6 +97,8 @@ mod tests {
             ("casteljau eval t --nonsense", "casteljau eval --nonsense -- t"),
             ("casteljau eval t --at --steps", "casteljau eval --at --steps -- t"),
             ("casteljau plot t -o -x.svg", "casteljau plot -o -x.svg -- t"),
+            ("casteljau -q --color never eval t", "casteljau eval -q --color=never -- t"),
+            ("casteljau eval -vv -v^2", "casteljau eval -vv -- -v^2"),
             ("casteljau eval -- --at", "casteljau eval -- --at"),
             ("casteljau --version", "casteljau --version"),
             ("casteljau nonsense -x", "casteljau nonsense -x"),

@@ -125,7 +125,7 @@ fn render<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer
     let text = match matches.get_one::<String>("format").map(String::as_str) {
         Some("json") => return Ok(format!("{}\n", report::json::output(answer)?)),
         Some("latex") => report::latex(arguments, answer, &notation(Style::Latex)),
-        Some("mathematica") => Ok(report::mathematica(answer, &notation(Style::Mathematica))),
+        Some("mathematica") => report::mathematica(answer, &notation(Style::Mathematica)),
         _ => report::text(arguments, answer, &notation(Style::Text)),
     };
     text.map_err(Problem::plain)

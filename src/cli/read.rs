@@ -17,16 +17,17 @@ use crate::value::{Arguments, Value};
 
 /// The operation that a command means, by the flags that are given.
 pub(super) fn selected(verb: &str, matches: &ArgMatches) -> Result<&'static Operation, Problem> {
-    let chosen = Operation::of_verb(verb).find(|operation| !operation.selected_by.is_empty() && is_given(matches, operation.selected_by));
+    let chosen = Operation::of_verb(verb).find(|operation| operation.selected_by.iter().any(|name| is_given(matches, name)));
     let plain = || Operation::of_verb(verb).find(|operation| operation.selected_by.is_empty());
     let operation = chosen.or_else(plain).ok_or_else(|| Problem::plain(format!("there is no command `{verb}`")))?;
     for parameter in parameters(verb) {
         if is_given(matches, parameter.name) && operation.parameter(parameter.name).is_none() {
             let others = Operation::of_verb(verb).filter(|other| other.parameter(parameter.name).is_some());
-            let wanted: Vec<String> = others.map(|other| spelled(other, other.selected_by)).collect();
-            return Err(Problem::plain(match operation.selected_by {
-                "" => format!("--{} goes with {} only", parameter.flag, wanted.join(" or ")),
-                flag => format!("--{} does not go with {}", parameter.flag, spelled(operation, flag)),
+            let wanted: Vec<String> = others.flat_map(|other| other.selected_by.iter().map(|name| spelled(other, name))).collect();
+            let given = operation.selected_by.iter().find(|name| is_given(matches, name));
+            return Err(Problem::plain(match given {
+                None => format!("--{} goes with {} only", parameter.flag, wanted.join(" or ")),
+                Some(flag) => format!("--{} does not go with {}", parameter.flag, spelled(operation, flag)),
             }));
         }
     }
@@ -74,7 +75,18 @@ pub(super) fn arguments(operation: &Operation, matches: &ArgMatches) -> Result<(
         reader.flag(parameter)?;
     }
     reader.default_frame()?;
+    reader.refuse_clashes()?;
     Ok((reader.arguments, reader.notes))
+}
+
+/// A word that became a product of letters, which is rarely what was meant.
+fn word_note(text: &str) -> Option<String> {
+    if text.contains('\\') {
+        return None;
+    }
+    let word = text.split(|letter: char| !letter.is_ascii_alphabetic()).find(|word| word.len() >= 3)?;
+    let letters: Vec<String> = word.chars().map(String::from).collect();
+    Some(format!("`{word}` is read as the product {}: there are no functions here", letters.join(" ")))
 }
 
 struct Reader<'a> {
@@ -96,12 +108,28 @@ impl Reader<'_> {
         let text = source.expression()?;
         let letters = variables(self.matches)?;
         let problem = |error: SyntaxError| Problem::syntax(&source.name, text, error);
-        match syntax::parse_input(text, letters.as_deref()).map_err(problem)? {
+        // Only where both may stand does the text decide which it is.
+        let takes = |name| self.operation.parameter(name).is_some();
+        let input = match (takes(curve), takes(points)) {
+            (true, false) => syntax::parse_map(text, letters.as_deref()).map(Input::Map),
+            (false, true) => syntax::parse_points(text).map(Input::Points),
+            _ => syntax::parse_input(text, letters.as_deref()),
+        };
+        // A text of the other kind deserves to be told so.
+        let input = input.or_else(|error| syntax::parse_input(text, letters.as_deref()).map_err(|_| error));
+        match input.map_err(problem)? {
             Input::Map(map) => {
-                let Variables::Curve(variable) = map.variables else {
-                    return Err(Problem::plain(format!("`{}` takes a curve; this is a surface in two variables", self.operation.verb))
-                        .with_help("for a curve with symbolic parameters say which letter is the parameter: --vars t"));
+                let variable = match map.variables {
+                    Variables::Curve(variable) => variable,
+                    Variables::Surface(first, second) => {
+                        return Err(Problem::plain(format!(
+                            "`{}` takes a curve; this was read as a surface in {first} and {second}",
+                            self.operation.verb
+                        ))
+                        .with_help(format!("say which letter is the parameter of the curve, as in --vars {first}")));
+                    }
                 };
+                self.notes.extend(word_note(text));
                 if self.operation.parameter(curve).is_none() {
                     return Err(Problem::plain(format!("`{}` takes control points; this is an equation", self.operation.verb))
                         .with_help("`casteljau points` turns an equation into control points"));
@@ -230,6 +258,56 @@ impl Reader<'_> {
             shift.push(rest);
         }
         Ok(AffineMap::new(rows, shift)?)
+    }
+
+    /// Refuses symbols that would be taken for the curve's parameter, or for an
+    /// argument of its polar form, in what is printed.
+    fn refuse_clashes(&self) -> Result<(), Problem> {
+        let variable = self.arguments.variable();
+        let mut symbols: Vec<Symbol> = Vec::new();
+        let mut degree = 0;
+        for (_, value) in self.arguments.iter() {
+            match value {
+                Value::Curve(curve) => {
+                    degree = curve.degree();
+                    symbols.extend((0..curve.dimension()).flat_map(|index| curve.coordinate(index)).flat_map(Polynomial::symbols));
+                }
+                Value::Points(points) => symbols.extend(points.iter().flatten().flat_map(Polynomial::symbols)),
+                Value::Map(map) => symbols.extend(map.numbers().flat_map(Polynomial::symbols)),
+                _ => {}
+            }
+        }
+        if symbols.contains(&variable) {
+            let help = if self.operation.parameter("curve").is_none() {
+                format!("`{}` takes control points; `casteljau points` turns an equation into some", self.operation.verb)
+            } else {
+                "use another letter for one of them; --vars says what the parameter is called".to_owned()
+            };
+            return Err(Problem::plain(format!("the symbol `{variable}` is also the parameter of the curve")).with_help(help));
+        }
+        let argument = symbols.iter().find(|symbol| symbol.letter() == 't' && symbol.index().is_some());
+        if let (Some(argument), "polar") = (argument, self.operation.verb) {
+            return Err(Problem::plain(format!("the symbol `{argument}` is also an argument of the polar form"))
+                .with_help("use another letter for it"));
+        }
+        degree = degree.max(self.arguments.count("degree").copied().unwrap_or(0));
+        // A claim is about t1, …, tm and the parameters of the curve; anything else cannot be decided.
+        let is_known = |symbol: &Symbol| {
+            symbols.contains(symbol)
+                || (symbol.letter() == 't' && symbol.index().is_some_and(|index| index >= 1 && index as usize <= degree))
+        };
+        let mut claimed = self.arguments.expressions("claim").ok().into_iter().flatten().flat_map(Polynomial::symbols);
+        if let Some(foreign) = claimed.find(|symbol| !is_known(symbol)) {
+            return Err(Problem::plain(format!(
+                "the claim contains `{foreign}`, which is neither an argument of the polar form nor a parameter of the curve"
+            ))
+            .with_help(if degree == 0 {
+                "a curve of polar degree 0 has no arguments".to_owned()
+            } else {
+                format!("its arguments are t1 to t{degree}")
+            }));
+        }
+        Ok(())
     }
 
     /// The frame of the shape file, or a word about the default.

@@ -199,6 +199,19 @@ pub(crate) fn elementary_symmetric<R: Ring>(arguments: &[R]) -> SmallVec<[R; 12]
     symmetric
 }
 
+/// The elementary symmetric functions of the parameters' pairs `(t_i, w_i)`; the data is the number 1.
+pub(crate) struct Symmetric;
+
+impl Task for Symmetric {
+    fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
+        parameters.chunks_exact(2).fold(Magnitude::ONE, |growth, argument| growth.times(weights_growth(argument)))
+    }
+
+    fn run<R: Ring>(&self, _: Vec<R>, parameters: &[R]) -> Vec<R> {
+        elementary_symmetric(parameters).into_vec()
+    }
+}
+
 /// The value of an equation at the homogeneous parameter `(t, w)`, by Horner's scheme.
 pub(crate) struct Value {
     pub(crate) degree: usize,

@@ -63,7 +63,7 @@ pub(super) fn split<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 }
 
 pub(super) fn subdivide<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let (segment, depth) = (arguments.segment()?, *arguments.count("depth")?);
+    let (segment, depth) = (arguments.segment()?, arguments.count("depth").copied().unwrap_or(1));
     Ok(Answer::new(vec![if arguments.flag("polyline") {
         ("polyline", Value::Points(segment.polyline(depth)?))
     } else {

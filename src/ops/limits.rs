@@ -1,25 +1,31 @@
 //! How much an operation may ask for, estimated before it starts.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::table::{Growth, Operation};
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
+use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::limits::MAX_DEGREE;
 use crate::value::{Arguments, Value};
 
 /// The most numbers an answer may hold.
 const MAX_NUMBERS: usize = 1 << 20;
 
-/// The most work on machine words: some tens of seconds.
-const MAX_WORD_STEPS: u64 = 1 << 34;
+/// The most work, in multiplications of machine words: some ten seconds.
+const MAX_STEPS: u64 = 1 << 30;
 
-/// The most bits of all numbers of an answer together: half a gibibyte.
-const MAX_BITS: u64 = 1 << 32;
+/// What an operation on long numbers costs beside its words.
+const OVERHEAD: u64 = 32;
 
-/// The largest polar degree with symbolic parameters in coefficients or points.
+/// The most bits of all numbers of an answer together: 128 mebibytes.
+const MAX_BITS: u64 = 1 << 30;
+
+/// The most terms of all polynomials of an answer with symbolic parameters.
+const MAX_TERMS: u64 = 1 << 20;
+
+/// The largest polar degree with symbolic parameters.
 const MAX_SYMBOLIC_DEGREE: usize = 256;
-
-/// The largest polar degree with symbols in a frame, a parameter or an argument.
-const MAX_SYMBOLIC_ARGUMENT_DEGREE: usize = 48;
 
 /// What the arguments of an operation amount to.
 #[derive(Default)]
@@ -32,8 +38,10 @@ struct Size {
     /// Bits of the longest frame end, parameter or argument.
     parameter_bits: u64,
     depth: usize,
-    symbolic_data: bool,
-    symbolic_parameter: bool,
+    /// The symbols of coefficients and coordinates, which answers are linear in.
+    data_symbols: BTreeSet<Symbol>,
+    /// How often each other symbol may occur as a factor of one term.
+    powers: BTreeMap<Symbol, u64>,
 }
 
 impl Size {
@@ -42,13 +50,22 @@ impl Size {
         self.dimension = self.dimension.max(dimension);
         for value in values {
             self.data_bits = self.data_bits.max(value.bit_length());
-            self.symbolic_data |= value.as_rational().is_none();
+            if value.as_rational().is_none() {
+                let polynomial: Polynomial = value.clone().into();
+                self.data_symbols.extend(polynomial.symbols());
+            }
         }
     }
 
-    fn parameter<C: Coefficient>(&mut self, value: &C) {
+    /// A number that is multiplied in up to `times` times.
+    fn parameter<C: Coefficient>(&mut self, value: &C, times: usize) {
         self.parameter_bits = self.parameter_bits.max(value.bit_length());
-        self.symbolic_parameter |= value.as_rational().is_none();
+        if value.as_rational().is_none() {
+            let polynomial: Polynomial = value.clone().into();
+            for symbol in polynomial.symbols() {
+                *self.powers.entry(symbol).or_default() += u64::from(polynomial.degree_in(symbol)) * times as u64;
+            }
+        }
     }
 
     fn of<C: Coefficient>(arguments: &Arguments<C>) -> Self {
@@ -63,22 +80,39 @@ impl Size {
                 (_, Value::Points(points)) => {
                     size.data(points.len().saturating_sub(1), points.first().map_or(0, Vec::len), &mut points.iter().flatten());
                 }
-                (_, Value::Numbers(values)) if name == "values" => size.data(values.len(), 1, &mut values.iter()),
-                (_, Value::Numbers(values)) => values.iter().for_each(|value| size.parameter(value)),
-                (_, Value::Number(value)) => size.parameter(value),
-                (_, Value::Frame(frame)) => [frame.r(), frame.s()].into_iter().for_each(|end| size.parameter(end)),
-                (_, Value::Arguments(list)) => {
-                    list.iter().flat_map(|argument| [&argument.t, &argument.w]).for_each(|value| size.parameter(value))
-                }
+                ("values", Value::Numbers(values)) => size.degree += values.len(),
                 ("degree", Value::Count(degree)) => raised = *degree,
                 ("by", Value::Count(by)) => size.degree += by,
                 ("depth", Value::Count(depth)) => size.depth = *depth,
                 _ => {}
             }
         }
+        if arguments.flag("midpoints") {
+            size.depth = size.depth.max(1);
+        }
         size.degree = size.degree.max(raised);
         size.dimension = size.dimension.max(1);
+        for (_, value) in arguments.iter() {
+            match value {
+                Value::Numbers(values) => values.iter().for_each(|value| size.parameter(value, 1)),
+                Value::Arguments(list) => {
+                    list.iter().flat_map(|argument| [&argument.t, &argument.w]).for_each(|value| size.parameter(value, 1))
+                }
+                Value::Number(value) => size.parameter(value, size.degree),
+                Value::Frame(frame) => [frame.r(), frame.s()].into_iter().for_each(|end| size.parameter(end, size.degree)),
+                _ => {}
+            }
+        }
         size
+    }
+
+    /// A bound of the number of terms of one polynomial of the answer.
+    fn terms(&self) -> u64 {
+        let by_powers = self.powers.values().fold(1u64, |terms, power| terms.saturating_mul(power + 1));
+        // The monomials of the highest degree that can occur, in so many symbols.
+        let degree = self.powers.values().copied().max().unwrap_or(0).max(self.degree as u64);
+        let by_degree = (1..=self.powers.len() as u64).fold(1u64, |count, k| count.saturating_mul(degree + k) / k);
+        by_powers.min(by_degree).saturating_mul(self.data_symbols.len() as u64 + 1)
     }
 }
 
@@ -89,15 +123,13 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     if size.degree > MAX_DEGREE as usize {
         return too_large("degree", MAX_DEGREE as usize);
     }
-    if size.symbolic_data && size.degree > MAX_SYMBOLIC_DEGREE {
+    let is_symbolic = !size.data_symbols.is_empty() || !size.powers.is_empty();
+    if is_symbolic && size.degree > MAX_SYMBOLIC_DEGREE {
         return too_large("degree with symbolic parameters", MAX_SYMBOLIC_DEGREE);
-    }
-    if size.symbolic_parameter && size.degree > MAX_SYMBOLIC_ARGUMENT_DEGREE {
-        return too_large("degree with a symbolic frame or argument", MAX_SYMBOLIC_ARGUMENT_DEGREE);
     }
     let one = (size.degree + 1) * size.dimension;
     let numbers = match operation.growth {
-        Growth::Linear => Some(one),
+        Growth::Direct | Growth::Linear => Some(one),
         Growth::Quadratic if arguments.get("index").is_some() => Some(one),
         Growth::Quadratic => one.checked_mul(size.degree + 2).map(|all| all / 2),
         Growth::Doubling => {
@@ -112,9 +144,19 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     if bits.saturating_mul(numbers as u64) > MAX_BITS {
         return too_large("answer, counted in bits,", MAX_BITS as usize);
     }
-    let steps = (numbers as u64).saturating_mul(size.degree as u64 + 1).saturating_mul(bits / 64 + 1);
-    if steps > MAX_WORD_STEPS {
-        return too_large("work, counted in steps on machine words,", MAX_WORD_STEPS as usize);
+    if is_symbolic && size.terms().saturating_mul(numbers as u64) > MAX_TERMS {
+        return too_large("answer, counted in terms with symbolic parameters,", MAX_TERMS as usize);
+    }
+    // How many numbers each one of the answer is made from.
+    let sources = match operation.growth {
+        // Control points over a frame are made of all coefficients, whoever asks.
+        Growth::Direct if arguments.get("frame").is_none() => 1,
+        Growth::Direct | Growth::Linear | Growth::Doubling => size.degree as u64 + 1,
+        Growth::Quadratic => 4 * (size.degree as u64 + 1),
+    };
+    let steps = (numbers as u64).saturating_mul(sources).saturating_mul(bits / 64 + OVERHEAD);
+    if steps > MAX_STEPS {
+        return too_large("work, counted in steps on machine words,", MAX_STEPS as usize);
     }
     Ok(())
 }

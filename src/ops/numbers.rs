@@ -1,6 +1,6 @@
 //! Operations on numbers and on polynomials in one variable.
 
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use crate::bernstein::Bernstein;
 use crate::blossom;
@@ -9,6 +9,9 @@ use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::roots::{RealRoots, Root, RootPlace, sign_variations};
 use crate::value::{Answer, Arguments, Value};
+
+/// The most bits of the width of an isolating interval.
+const MAX_WIDTH_BITS: u64 = 1024;
 
 pub(super) fn sigma<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>, Error> {
     Ok(Answer::new(vec![("values", Value::Numbers(blossom::sigma(arguments.numbers("values")?)))]))
@@ -69,7 +72,12 @@ pub(super) fn roots(arguments: &Arguments) -> Result<Answer, Error> {
         ("roots_with_multiplicity_open", Value::Count(roots.with_multiplicity())),
     ];
     if arguments.flag("isolate") {
-        fields.push(("roots", Value::List(roots.isolated().into_iter().map(root).collect())));
+        let isolated = match arguments.number("width") {
+            Ok(width) if width.is_positive() && width.bits() <= MAX_WIDTH_BITS => roots.isolated_within(width),
+            Ok(_) => return Err(Error::WrongShape(format!("a width must be positive, with at most {MAX_WIDTH_BITS} bits"))),
+            Err(_) => roots.isolated(),
+        };
+        fields.push(("roots", Value::List(isolated.into_iter().map(root).collect())));
     }
     Ok(Answer::new(fields))
 }

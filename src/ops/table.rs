@@ -66,7 +66,9 @@ pub enum Run {
 /// How the size of an answer depends on the size of its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// About as many numbers come out as go in.
+    /// About as many numbers come out as go in, each by itself.
+    Direct,
+    /// About as many numbers come out as go in, each from all.
     Linear,
     /// Every step of an algorithm, or a polynomial for every control point.
     Quadratic,
@@ -81,8 +83,8 @@ pub struct Operation {
     pub name: &'static str,
     /// The command that carries it out; empty where only `batch` names it.
     pub verb: &'static str,
-    /// The flag that makes the command mean this operation instead of its first one.
-    pub selected_by: &'static str,
+    /// The arguments each of which makes the command mean this operation instead of its first one.
+    pub selected_by: &'static [&'static str],
     /// What it does, in one line.
     pub doc: &'static str,
     /// A command line that shows it.
@@ -165,17 +167,17 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.polar",
         verb: "polar",
-        selected_by: "",
+        selected_by: &[],
         doc: "The polar form (blossom) of a curve",
         example: "casteljau polar '(3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)'",
         parameters: &[CURVE, DEGREE, optional("frame", Kind::Frame, "over", "also the control points over this frame r..s")],
-        growth: Growth::Linear,
+        growth: Growth::Direct,
         run: Run::Any(curve::polar, curve::polar),
     },
     Operation {
         name: "curve.blossom_homogeneous",
         verb: "polar",
-        selected_by: "args",
+        selected_by: &["args"],
         doc: "A polar value at homogeneous arguments",
         example: "casteljau polar 't^3' --at '1 2 [0; 1]'",
         parameters: &[
@@ -189,17 +191,17 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "polar.check",
         verb: "polar",
-        selected_by: "claim",
+        selected_by: &["claim"],
         doc: "Whether a claimed polar form is symmetric, affine in every argument, and right on the diagonal",
         example: "casteljau polar 't^2 + t' --check 't1 t2 + (t1 + t2)/2'",
         parameters: &[CURVE, DEGREE, required("claim", Kind::Claim, "check", "a claimed polar form in t1, t2, …")],
-        growth: Growth::Linear,
+        growth: Growth::Direct,
         run: Run::Any(curve::check, curve::check),
     },
     Operation {
         name: "curve.blossom",
         verb: "",
-        selected_by: "",
+        selected_by: &[],
         doc: "A polar value",
         example: "",
         parameters: &[CURVE, required("args", Kind::Arguments, "at", "the arguments")],
@@ -209,7 +211,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.points",
         verb: "points",
-        selected_by: "",
+        selected_by: &[],
         doc: "The control points of a curve over a frame",
         example: "casteljau points '(3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)' --over -1..3",
         parameters: &[CURVE, required("frame", Kind::Frame, "over", "the frame r..s; r > s is allowed"), DEGREE],
@@ -219,7 +221,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.equation",
         verb: "equation",
-        selected_by: "",
+        selected_by: &[],
         doc: "The equation of the curve with these control points",
         example: "casteljau equation '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3",
         parameters: &[POINTS, OVER],
@@ -229,7 +231,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.eval",
         verb: "eval",
-        selected_by: "",
+        selected_by: &[],
         doc: "The point of a curve at a parameter",
         example: "casteljau eval '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, AT],
@@ -239,7 +241,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.casteljau",
         verb: "eval",
-        selected_by: "steps",
+        selected_by: &["steps"],
         doc: "De Casteljau's algorithm step by step",
         example: "casteljau eval '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1 --steps",
         parameters: &[
@@ -255,7 +257,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.split",
         verb: "split",
-        selected_by: "",
+        selected_by: &[],
         doc: "The control points of the two parts of a segment",
         example: "casteljau split '(0,0) (1,2) (3,2) (4,0)' --at 1/3",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, AT],
@@ -265,14 +267,15 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.subdivide",
         verb: "split",
-        selected_by: "depth",
+        selected_by: &["depth", "midpoints"],
         doc: "The pieces, or the polyline, of repeated splitting in the middle",
         example: "casteljau split '(0,0) (1,2) (3,2) (4,0)' --depth 2",
         parameters: &[
             EITHER_CURVE,
             EITHER_POINTS,
             OVER,
-            required("depth", Kind::Count, "depth", "split in the middle this many times"),
+            optional("midpoints", Kind::Flag, "midpoints", "split in the middle, once unless a depth is given"),
+            optional("depth", Kind::Count, "depth", "split in the middle this many times"),
             optional("polyline", Kind::Flag, "polyline", "the ends of the pieces instead of the pieces"),
         ],
         growth: Growth::Doubling,
@@ -281,7 +284,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.flatten",
         verb: "split",
-        selected_by: "flatness",
+        selected_by: &["flatness"],
         doc: "The polyline that stays within a bound of the curve, in every coordinate",
         example: "casteljau split '(0,0) (1,2) (3,2) (4,0)' --flatness 1/10",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, required("flatness", Kind::Number, "flatness", "the bound, exact")],
@@ -291,7 +294,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.reframe",
         verb: "reframe",
-        selected_by: "",
+        selected_by: &[],
         doc: "The control points of the same curve over another frame",
         example: "casteljau reframe '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --to 0..1",
         parameters: &[POINTS, OVER, required("new_frame", Kind::Frame, "to", "the new frame r..s")],
@@ -301,7 +304,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.elevate",
         verb: "elevate",
-        selected_by: "",
+        selected_by: &[],
         doc: "The same curve with more control points",
         example: "casteljau elevate '(0,0) (1,2) (2,0)' --by 1",
         parameters: &[POINTS, OVER, optional("by", Kind::Count, "by", "how many more (1 unless said)")],
@@ -311,7 +314,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.reduce",
         verb: "reduce",
-        selected_by: "",
+        selected_by: &[],
         doc: "The true degree, and the same curve with as few control points as it can have",
         example: "casteljau reduce '(0,1) (1,3) (2,5) (3,7)'",
         parameters: &[POINTS, OVER],
@@ -321,7 +324,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.derivative",
         verb: "derivative",
-        selected_by: "",
+        selected_by: &[],
         doc: "A derivative of any order, as a curve or at a parameter",
         example: "casteljau derivative '(t, t^3)' --order 2 --at 1/2",
         parameters: &[
@@ -337,7 +340,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.product",
         verb: "product",
-        selected_by: "",
+        selected_by: &[],
         doc: "The product of two curves in Bernstein form",
         example: "casteljau product '[1, 2]' '(0,0) (1,2) (2,0)'",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER, OTHER_CURVE, OTHER_POINTS],
@@ -347,7 +350,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.transform",
         verb: "transform",
-        selected_by: "",
+        selected_by: &[],
         doc: "The image under an affine map of the plane or of space",
         example: "casteljau transform '(0,0) (1,2) (2,0)' --map '(x + 2y, y - 1)'",
         parameters: &[
@@ -356,13 +359,13 @@ pub const OPERATIONS: &[Operation] = &[
             OVER_POINTS,
             required("map", Kind::Map, "map", "the image of (x, y) or (x, y, z) or (x1, x2, …)"),
         ],
-        growth: Growth::Linear,
+        growth: Growth::Direct,
         run: Run::Any(curve::transform, curve::transform),
     },
     Operation {
         name: "curve.equal",
         verb: "equal",
-        selected_by: "",
+        selected_by: &[],
         doc: "Whether two curves or pieces are the same polynomial map",
         example: "casteljau equal '(0,0) (1/2,0) (1,1)' '(t, t^2)'",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, OTHER_CURVE, OTHER_POINTS, OTHER_OVER],
@@ -372,27 +375,27 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "curve.describe",
         verb: "describe",
-        selected_by: "",
+        selected_by: &[],
         doc: "Dimensions and degrees of a curve",
         example: "casteljau describe '(t, t^2, t^3)'",
         parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, DEGREE],
-        growth: Growth::Linear,
+        growth: Growth::Direct,
         run: Run::Any(curve::describe, curve::describe),
     },
     Operation {
         name: "contains",
         verb: "contains",
-        selected_by: "",
+        selected_by: &[],
         doc: "Whether a parameter lies inside a frame",
         example: "casteljau contains --over -1..3 --at 1/2",
         parameters: &[required("frame", Kind::Frame, "over", "the frame r..s"), AT],
-        growth: Growth::Linear,
+        growth: Growth::Direct,
         run: Run::Numeric(numbers::contains),
     },
     Operation {
         name: "bernstein",
         verb: "bernstein",
-        selected_by: "",
+        selected_by: &[],
         doc: "The Bernstein polynomials of a degree over a frame, their maxima, and their values",
         example: "casteljau bernstein --degree 3 --over 0..1",
         parameters: &[
@@ -407,7 +410,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "sigma",
         verb: "sigma",
-        selected_by: "",
+        selected_by: &[],
         doc: "The elementary symmetric functions of a list of numbers",
         example: "casteljau sigma '1 2 3'",
         parameters: &[required("values", Kind::Numbers, "", "the numbers, such as '1 2 3'")],
@@ -417,7 +420,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "hull",
         verb: "hull",
-        selected_by: "",
+        selected_by: &[],
         doc: "The bounding box of the control points, and in the plane their convex hull",
         example: "casteljau hull '(0,0) (0,1) (1,1) (1,0)' --contains '(1/2, 3/4)'",
         parameters: &[
@@ -426,13 +429,13 @@ pub const OPERATIONS: &[Operation] = &[
             OVER,
             optional("point", Kind::Point, "contains", "whether the hull contains this point of the plane"),
         ],
-        growth: Growth::Linear,
+        growth: Growth::Direct,
         run: Run::Numeric(geometry::hull),
     },
     Operation {
         name: "roots.bernstein",
         verb: "roots",
-        selected_by: "",
+        selected_by: &[],
         doc: "How often a curve crosses a line or plane inside its frame: sign variations, and the exact number of roots",
         example: "casteljau roots '(0,0) (1,2) (2,-2) (3,1)' --plane 'y' --isolate",
         parameters: &[
@@ -441,6 +444,7 @@ pub const OPERATIONS: &[Operation] = &[
             OVER,
             optional("plane", Kind::Plane, "plane", "the line or plane, such as 'x - 2y + 1' (zero on it)"),
             optional("isolate", Kind::Flag, "isolate", "also the roots, exact or in disjoint intervals"),
+            optional("width", Kind::Number, "width", "what these intervals are at most wide"),
         ],
         growth: Growth::Linear,
         run: Run::Numeric(numbers::roots),
@@ -448,7 +452,7 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         name: "plot",
         verb: "plot",
-        selected_by: "",
+        selected_by: &[],
         doc: "A picture of the curve with its control polygon and labels (SVG)",
         example: "casteljau plot '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1 -o cubic.svg",
         parameters: &[

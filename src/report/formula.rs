@@ -1,11 +1,13 @@
 //! Formulas in the notations that mathematics is printed in.
 
+use crate::affine::Parameter;
 use crate::blossom::{PolarForm, binomials, polar_symbol, symmetric_terms};
 use crate::curve::Curve;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::{Style, printer};
+use crate::value::Arguments;
 
 /// How an answer is to be printed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,6 +68,47 @@ impl Notation {
     pub(super) fn writes_out<C: Coefficient>(&self, polar: &PolarForm<C>, coordinate: usize) -> bool {
         let limit = if self.expand { Self::MAX_EXPANDED_TERMS } else { Self::MAX_TERMS };
         polar.term_count(coordinate) <= Rational::from(limit as i64)
+    }
+
+    /// Refuses to write out a polar form of too many terms, if that was asked for.
+    pub(super) fn check_expansion<C: Coefficient>(&self, polar: &PolarForm<C>) -> Result<(), String> {
+        match (0..polar.dimension()).find(|&coordinate| self.expand && !self.writes_out(polar, coordinate)) {
+            None => Ok(()),
+            Some(coordinate) => Err(format!(
+                "coordinate {} has more than {} terms, the most that are written out",
+                coordinate + 1,
+                Self::MAX_EXPANDED_TERMS
+            )),
+        }
+    }
+
+    /// What the value of an operation is the value of, such as `F(1)`, `F'(t)` or `f(1,1,2)`.
+    pub(super) fn heading<C: Coefficient>(&self, arguments: &Arguments<C>, name: &str) -> Option<String> {
+        let order = arguments.count("order").copied().unwrap_or(1);
+        let prime = match (order, self.style) {
+            (0..=3, _) => "'".repeat(order),
+            (_, Style::Latex) => format!("^{{({order})}}"),
+            _ => format!("^({order})"),
+        };
+        let at = arguments.number("t").ok().map(|t| self.number(t));
+        match (name, at, arguments.polar_arguments("args")) {
+            ("point", Some(t), _) => Some(format!("F({t})")),
+            ("value", Some(t), _) => Some(format!("F{prime}({t})")),
+            ("value", None, Ok(list)) => {
+                Some(format!("f({})", list.iter().map(|argument| self.argument(argument)).collect::<Vec<_>>().join(",")))
+            }
+            ("derivative", ..) => Some(format!("F{prime}({})", printer::symbol(self.variable, self.style))),
+            ("curve", ..) => Some(format!("F({})", printer::symbol(self.variable, self.style))),
+            _ => None,
+        }
+    }
+
+    fn argument<C: Coefficient>(&self, argument: &Parameter<C>) -> String {
+        if argument.w.is_unit() {
+            self.number(&argument.t)
+        } else {
+            format!("[{}; {}]", self.number(&argument.w), self.number(&argument.t))
+        }
     }
 
     /// The right side of one coordinate of a polar form: written out with the

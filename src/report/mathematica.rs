@@ -5,13 +5,20 @@ use crate::kernel::coefficient::Coefficient;
 use crate::value::{Answer, Value};
 
 /// The answer as one expression: the only part, or the list of the parts.
-#[must_use]
-pub fn mathematica<C: Coefficient>(answer: &Answer<C>, notation: &Notation) -> String {
+///
+/// # Errors
+/// A message if a polar form is to be written out that has too many terms.
+pub fn mathematica<C: Coefficient>(answer: &Answer<C>, notation: &Notation) -> Result<String, String> {
+    for (_, value) in &answer.fields {
+        if let Value::Polar(polar) = value {
+            notation.check_expansion(polar)?;
+        }
+    }
     let parts: Vec<String> = answer.fields.iter().map(|(_, value)| expression(value, notation)).collect();
-    match parts.as_slice() {
+    Ok(match parts.as_slice() {
         [only] => format!("{only}\n"),
         several => format!("{}\n", list(several)),
-    }
+    })
 }
 
 fn list(parts: &[String]) -> String {

@@ -31,6 +31,7 @@ fn field<C: Coefficient>(
 ) -> Result<(), String> {
     match value {
         Value::Polar(polar) => {
+            notation.check_expansion(polar)?;
             for coordinate in 0..polar.dimension() {
                 let head = format!("{}({})", notation.name('f', coordinate, polar.dimension()), notation.arguments(polar.degree()));
                 let body = notation.polar(polar, coordinate);
@@ -38,17 +39,20 @@ fn field<C: Coefficient>(
             }
         }
         Value::Curve(curve) => {
-            let variable = crate::syntax::printer::symbol(notation.variable, notation.style);
+            let head = notation.heading(arguments, name).unwrap_or_else(|| "F".to_owned());
+            let (letter, rest) = head.split_at(1);
             for coordinate in 0..curve.dimension() {
-                lines.push(format!(
-                    "{}({variable}) &= {}",
-                    notation.name('F', coordinate, curve.dimension()),
-                    notation.coordinate(curve, coordinate)
-                ));
+                let indexed = notation.name(letter.chars().next().unwrap_or('F'), coordinate, curve.dimension());
+                lines.push(format!("{indexed}{rest} &= {}", notation.coordinate(curve, coordinate)));
             }
         }
-        Value::Net(segment) | Value::Piece(segment) => net(segment, notation, lines),
-        Value::Pieces(pieces) => pieces.iter().for_each(|piece| net(piece, notation, lines)),
+        Value::Net(segment) => net(segment, notation, lines),
+        Value::Piece(segment) => piece(segment, notation, lines),
+        Value::Pieces(pieces) => pieces.iter().for_each(|segment| piece(segment, notation, lines)),
+        Value::Count(count) => lines.push(format!("\\text{{{}}} &= {count}", name.replace('_', " "))),
+        Value::Truth(truth) => {
+            lines.push(format!("\\text{{{}: {}}}", name.replace('_', " "), if *truth { "yes" } else { "no" }));
+        }
         Value::Scheme(scheme) => {
             for j in 0..=scheme.degree() {
                 for (i, point) in scheme.layer(j).enumerate() {
@@ -57,10 +61,7 @@ fn field<C: Coefficient>(
             }
         }
         Value::Point(point) => {
-            let head = match (name, arguments.number("t")) {
-                ("point", Ok(t)) => format!("F({})", notation.number(t)),
-                _ => format!("\\text{{{}}}", name.replace('_', " ")),
-            };
+            let head = notation.heading(arguments, name).unwrap_or_else(|| format!("\\text{{{}}}", name.replace('_', " ")));
             lines.push(format!("{head} &= {}", notation.point(point)));
         }
         Value::Points(points) if !matches!(name, "left" | "right") => {
@@ -74,17 +75,39 @@ fn field<C: Coefficient>(
                 field(name, value, arguments, notation, lines)?;
             }
         }
-        Value::Record(fields) => {
-            let index = fields.iter().find_map(|(_, value)| if let Value::Count(index) = value { Some(*index) } else { None });
-            for (_, value) in fields {
-                if let (Value::Curve(curve), Some(index)) = (value, index) {
-                    lines.push(format!("B_{{{index}}}({}) &= {}", notation.variable, notation.curve(curve)));
-                }
-            }
-        }
+        Value::Record(fields) => record(fields, arguments, notation, lines)?,
         _ => {}
     }
     Ok(())
+}
+
+/// A Bernstein polynomial with what is known of it, or the named parts one by one.
+fn record<C: Coefficient>(
+    fields: &[(&'static str, Value<C>)],
+    arguments: &Arguments<C>,
+    notation: &Notation,
+    lines: &mut Vec<String>,
+) -> Result<(), String> {
+    let get = |name: &str| fields.iter().find(|(key, _)| *key == name).map(|(_, value)| value);
+    let (Some(Value::Count(index)), Some(Value::Curve(curve))) = (get("index"), get("polynomial")) else {
+        return fields.iter().try_for_each(|(name, value)| field(name, value, arguments, notation, lines));
+    };
+    lines.push(format!("B_{{{index}}}({}) &= {}", notation.variable, notation.curve(curve)));
+    if let Some(Value::Record(maximum)) = get("maximum")
+        && let [(_, Value::Number(t)), (_, Value::Number(value))] = maximum.as_slice()
+    {
+        lines.push(format!("\\max B_{{{index}}} = B_{{{index}}}({}) &= {}", notation.number(t), notation.number(value)));
+    }
+    if let (Some(Value::Number(value)), Ok(t)) = (get("value"), arguments.number("t")) {
+        lines.push(format!("B_{{{index}}}({}) &= {}", notation.number(t), notation.number(value)));
+    }
+    Ok(())
+}
+
+fn piece<C: Coefficient>(segment: &Segment<C>, notation: &Notation, lines: &mut Vec<String>) {
+    let (r, s) = (segment.frame().r(), segment.frame().s());
+    lines.push(format!("r = {},\\; s &= {}", notation.number(r), notation.number(s)));
+    net(segment, notation, lines);
 }
 
 fn net<C: Coefficient>(segment: &Segment<C>, notation: &Notation, lines: &mut Vec<String>) {

@@ -2,7 +2,7 @@
 
 use super::decimal::decimal;
 use super::formula::Notation;
-use crate::affine::{Interval, Parameter};
+use crate::affine::Interval;
 use crate::blossom::{PolarDefect, PolarForm};
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -43,7 +43,7 @@ impl<C: Coefficient> Page<'_, C> {
             }
             Value::Numbers(numbers) => self.numbers(name, &title, numbers),
             Value::Point(point) => {
-                let heading = self.heading(name).unwrap_or(title);
+                let heading = self.notation.heading(self.arguments, name).unwrap_or(title);
                 let equals = if heading.contains('(') { " =" } else { ":" };
                 self.lines.push(format!("{heading}{equals} {}{}", self.notation.point(point), self.approximately(point)));
             }
@@ -59,7 +59,7 @@ impl<C: Coefficient> Page<'_, C> {
             }
             Value::Frame(frame) => self.lines.push(format!("{title}: {frame}")),
             Value::Curve(curve) => {
-                let heading = self.heading(name).unwrap_or_else(|| format!("F({})", self.notation.variable));
+                let heading = self.notation.heading(self.arguments, name).unwrap_or_else(|| format!("F({})", self.notation.variable));
                 self.lines.push(format!("{heading} = {}", self.notation.curve(curve)));
             }
             Value::Net(segment) => self.net(segment),
@@ -82,36 +82,6 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Nothing | Value::Arguments(_) | Value::Map(_) | Value::Expressions(_) | Value::Variable(_) => {}
         }
         Ok(())
-    }
-
-    /// What the value of an operation is the value of, such as `F(1)`.
-    fn heading(&self, name: &str) -> Option<String> {
-        let t = self.arguments.number("t").ok().map(|t| self.notation.number(t));
-        let order = match self.arguments.get("order") {
-            Some(Value::Count(order)) => *order,
-            _ => 1,
-        };
-        let prime = if order <= 3 { "'".repeat(order) } else { format!("^({order})") };
-        match (name, t) {
-            ("point", Some(t)) => Some(format!("F({t})")),
-            ("value", Some(t)) => Some(format!("F{prime}({t})")),
-            ("value", None) => match (self.arguments.get("args"), self.arguments.get("order")) {
-                (Some(Value::Arguments(arguments)), _) => {
-                    Some(format!("f({})", arguments.iter().map(|argument| self.argument(argument)).collect::<Vec<_>>().join(",")))
-                }
-                _ => None,
-            },
-            ("derivative", None) => Some(format!("F{prime}({})", self.notation.variable)),
-            _ => None,
-        }
-    }
-
-    fn argument(&self, argument: &Parameter<C>) -> String {
-        if argument.w.is_unit() {
-            self.notation.number(&argument.t)
-        } else {
-            format!("[{}; {}]", self.notation.number(&argument.w), self.notation.number(&argument.t))
-        }
     }
 
     /// Decimals behind an exact point, if asked for.
@@ -154,18 +124,11 @@ impl<C: Coefficient> Page<'_, C> {
     }
 
     fn polar(&mut self, polar: &PolarForm<C>) -> Result<(), String> {
+        self.notation.check_expansion(polar)?;
         let degree = polar.degree();
         let mut all_written_out = true;
         for coordinate in 0..polar.dimension() {
             let written_out = self.notation.writes_out(polar, coordinate);
-            if self.notation.expand && !written_out {
-                return Err(format!(
-                    "coordinate {} has {} terms; at most {} are written out",
-                    coordinate + 1,
-                    polar.term_count(coordinate),
-                    Notation::MAX_EXPANDED_TERMS
-                ));
-            }
             all_written_out &= written_out;
             let name = self.notation.name('f', coordinate, polar.dimension());
             self.lines.push(format!("{name}({}) = {}", self.notation.arguments(degree), self.notation.polar(polar, coordinate)));
@@ -250,7 +213,7 @@ impl<C: Coefficient> Page<'_, C> {
             PolarDefect::NotSymmetric { coordinate, arguments: (a, b), difference } => format!(
                 "coordinate {}: not symmetric: exchanging t{a} and t{b} changes it by {}",
                 coordinate + 1,
-                printer::polynomial(&-difference, &[], style)
+                printer::polynomial(difference, &[], style)
             ),
             PolarDefect::NotAffine { coordinate, argument, degree } => {
                 format!("coordinate {}: not affine in t{argument}: it has degree {degree} in it", coordinate + 1)
