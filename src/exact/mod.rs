@@ -2,6 +2,7 @@
 //! digit, greatest common divisors, and the integer widths the kernel runs on.
 
 pub(crate) mod decimal;
+pub(crate) mod fixed;
 pub(crate) mod gcd;
 pub(crate) mod lowest;
 pub(crate) mod magnitude;

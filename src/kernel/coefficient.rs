@@ -7,11 +7,13 @@ use std::fmt;
 use num_bigint::BigInt;
 use smallvec::SmallVec;
 
-use super::denominator::{CommonDenominator, LongDenominators, ShortDenominators, integer, magnitude_of_integer};
+use super::denominator::{CommonDenominator, LongDenominators, integer, magnitude_of_integer};
 use super::layout::Layout;
+use super::short::ShortDenominators;
 use crate::exact::Rational;
+use crate::exact::fixed::Fixed;
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::{Fixed, Integer, Ring};
+use crate::exact::width::{Integer, Ring};
 use crate::symbolic::Polynomial;
 
 /// A scalar that curves can have as coefficients, control points and

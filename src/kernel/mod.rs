@@ -17,4 +17,5 @@ pub(crate) mod layout;
 pub(crate) mod net;
 pub(crate) mod reframe;
 pub(crate) mod shape;
+pub(crate) mod short;
 pub(crate) mod task;

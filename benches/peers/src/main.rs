@@ -61,7 +61,11 @@ fn points(flint: &'static Flint, degree: usize, sympy: Option<&Sympy>) {
         &mut || {
             black_box(black_box(&curve).segment(&frame).unwrap().coordinates());
         },
-        &mut || rival::points(flint, black_box(&coefficients), ends.at(0), ends.at(1), &mut theirs),
+        &mut || {
+            let mut theirs = Fractions::zeros(flint, degree + 1);
+            rival::points(flint, black_box(&coefficients), ends.at(0), ends.at(1), &mut theirs);
+            black_box(&theirs);
+        },
     ]);
     print_row("control points", degree, &outcome, sympy);
 }
@@ -82,7 +86,11 @@ fn polar_value(flint: &'static Flint, degree: usize) {
         &mut || {
             black_box(black_box(&curve).blossom(&our_arguments).unwrap());
         },
-        &mut || rival::polar_value(flint, black_box(&coefficients), &their_arguments, &mut theirs),
+        &mut || {
+            let mut theirs = Fractions::zeros(flint, 1);
+            rival::polar_value(flint, black_box(&coefficients), &their_arguments, &mut theirs);
+            black_box(&theirs);
+        },
     ]);
     print_row("polar value", degree, &outcome, None);
 }
@@ -110,7 +118,12 @@ fn split(flint: &'static Flint, degree: usize) {
             let halves = black_box(&segment).split(&our_third).unwrap();
             black_box((halves.0.coordinates(), halves.1.coordinates()));
         },
-        &mut || rival::split(flint, DIMENSION, black_box(&polygon), their_third.at(0), &mut left, &mut right),
+        &mut || {
+            let mut left = Fractions::zeros(flint, length);
+            let mut right = Fractions::zeros(flint, length);
+            rival::split(flint, DIMENSION, black_box(&polygon), their_third.at(0), &mut left, &mut right);
+            black_box((&left, &right));
+        },
     ]);
     print_row("split in space", degree, &outcome, None);
 }
