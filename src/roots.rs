@@ -76,6 +76,8 @@ enum Isolated {
 impl RealRoots {
     /// The largest degree of a polynomial whose roots are counted.
     pub const MAX_DEGREE: usize = 512;
+    /// The most halvings of the frame that separate two roots.
+    pub const MAX_HALVINGS: usize = 1000;
     /// Intervals are shown at most this part of the frame long.
     const SHOWN: i64 = 256;
     /// Rational roots are recognized up to denominators of this many bits.
@@ -86,7 +88,8 @@ impl RealRoots {
     ///
     /// # Errors
     /// [`Error::Unsupported`] for the zero polynomial, whose roots are all
-    /// numbers; [`Error::TooLarge`] above [`RealRoots::MAX_DEGREE`].
+    /// numbers; [`Error::TooLarge`] above [`RealRoots::MAX_DEGREE`], and if two
+    /// roots are closer than [`RealRoots::MAX_HALVINGS`] halvings of the frame tell.
     pub fn inside(coefficients: &[Rational], frame: &Interval) -> Result<Self, Error> {
         let whole = IntegerPolynomial::of(coefficients);
         if whole.is_zero() {
@@ -103,7 +106,7 @@ impl RealRoots {
             let (numerators, _) = Rational::clear(segment.coordinates());
             let bernstein = numerators.iter().map(Rational::numer).collect();
             let mut roots = Vec::new();
-            isolate(bernstein, frame.r().clone(), frame.s().clone(), &mut roots);
+            isolate(bernstein, frame.r().clone(), frame.s().clone(), &mut roots)?;
             factors.push(Factor { polynomial, multiplicity, roots });
         }
         Ok(Self { factors, resolution: (frame.s() - frame.r()) * Rational::new(1, Self::SHOWN) })
@@ -217,9 +220,9 @@ pub(crate) fn sign_variations<'a>(signs: impl Iterator<Item = &'a BigInt>) -> us
 
 /// Splits in the middle until at most one sign change is left. The polynomial
 /// is square-free, so this ends (the two-circle theorem).
-fn isolate(bernstein: Vec<BigInt>, low: Rational, high: Rational, roots: &mut Vec<Isolated>) {
-    let mut waiting = vec![(bernstein, low, high)];
-    while let Some((mut bernstein, low, high)) = waiting.pop() {
+fn isolate(bernstein: Vec<BigInt>, low: Rational, high: Rational, roots: &mut Vec<Isolated>) -> Result<(), Error> {
+    let mut waiting = vec![(bernstein, low, high, 0)];
+    while let Some((mut bernstein, low, high, halvings)) = waiting.pop() {
         match sign_variations(bernstein.iter()) {
             0 => {}
             1 => {
@@ -227,17 +230,22 @@ fn isolate(bernstein: Vec<BigInt>, low: Rational, high: Rational, roots: &mut Ve
                 let sign = if first.is_some_and(Signed::is_negative) { -1 } else { 1 };
                 roots.push(Isolated::Between { low, high, sign });
             }
+            _ if halvings == RealRoots::MAX_HALVINGS => {
+                return Err(Error::TooLarge { what: "number of halvings that separate two roots", limit: RealRoots::MAX_HALVINGS });
+            }
             _ => {
                 let left = halves(&mut bernstein);
                 let middle = (&low + &high) * Rational::new(1, 2);
                 if bernstein[0].is_zero() {
                     roots.push(Isolated::Exact(middle.clone()));
                 }
-                waiting.push((left, low, middle.clone()));
-                waiting.push((bernstein, middle, high));
+                // Parts without roots are not kept: near close roots there is one at every halving.
+                let parts = [(left, low, middle.clone(), halvings + 1), (bernstein, middle, high, halvings + 1)];
+                waiting.extend(parts.into_iter().filter(|(part, ..)| sign_variations(part.iter()) > 0));
             }
         }
     }
+    Ok(())
 }
 
 /// De Casteljau's algorithm in the middle, without its divisions: the list ends

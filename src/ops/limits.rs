@@ -130,8 +130,9 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     let one = (size.degree + 1) * size.dimension;
     let numbers = match operation.growth {
         Growth::Direct | Growth::Linear => Some(one),
-        Growth::Quadratic if arguments.get("index").is_some() => Some(one),
-        Growth::Quadratic => one.checked_mul(size.degree + 2).map(|all| all / 2),
+        Growth::Basis if arguments.get("index").is_some() => Some(one),
+        Growth::Basis => one.checked_mul(size.degree + 1),
+        Growth::Scheme => one.checked_mul(size.degree + 2).map(|all| all / 2),
         Growth::Doubling => {
             u32::try_from(size.depth).ok().and_then(|depth| 2usize.checked_pow(depth)).and_then(|pieces| pieces.checked_mul(one))
         }
@@ -152,7 +153,9 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
         // Control points over a frame are made of all coefficients, whoever asks.
         Growth::Direct if arguments.get("frame").is_none() => 1,
         Growth::Direct | Growth::Linear | Growth::Doubling => size.degree as u64 + 1,
-        Growth::Quadratic => 4 * (size.degree as u64 + 1),
+        // Long fractions are reduced one by one, which costs more than making them.
+        Growth::Scheme => 16,
+        Growth::Basis => 2 * (size.degree as u64 + 1),
     };
     let steps = (numbers as u64).saturating_mul(sources).saturating_mul(bits / 64 + OVERHEAD);
     if steps > MAX_STEPS {

@@ -70,8 +70,10 @@ pub enum Growth {
     Direct,
     /// About as many numbers come out as go in, each from all.
     Linear,
-    /// Every step of an algorithm, or a polynomial for every control point.
-    Quadratic,
+    /// Every step of de Casteljau's algorithm.
+    Scheme,
+    /// A polynomial for every control point.
+    Basis,
     /// Twice as much at every depth.
     Doubling,
 }
@@ -251,7 +253,7 @@ pub const OPERATIONS: &[Operation] = &[
             AT,
             optional("steps", Kind::Flag, "steps", "all intermediate points with their polar labels"),
         ],
-        growth: Growth::Quadratic,
+        growth: Growth::Scheme,
         run: Run::Any(curve::casteljau, curve::casteljau),
     },
     Operation {
@@ -404,7 +406,7 @@ pub const OPERATIONS: &[Operation] = &[
             optional("frame", Kind::Frame, "over", "the frame r..s (0..1 unless said)"),
             optional("t", Kind::Number, "at", "also the values at this parameter"),
         ],
-        growth: Growth::Quadratic,
+        growth: Growth::Basis,
         run: Run::Numeric(numbers::bernstein),
     },
     Operation {
