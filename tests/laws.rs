@@ -381,3 +381,20 @@ fn coefficients_are_a_public_trait() {
     assert_eq!(doubled(&Rational::new(1, 2)), Rational::from(1));
     assert_eq!(doubled(&Polynomial::from(Symbol::new('a', None))).to_string(), "2 a");
 }
+
+/// Each axiom has a claim that fails it alone.
+#[test]
+fn every_axiom_is_checked_by_itself() {
+    use casteljau::PolarDefect::{NotAffine, NotSymmetric, WrongDiagonal};
+    let variable = Symbol::new('t', None);
+    let polynomial = |text: &str| casteljau::syntax::parse_scalar(text).expect("a polynomial");
+    let square = Curve::new(vec![polynomial("t^2").coefficients_in(variable)]).expect("a curve");
+    let defects = |claim: &str| check_polar_form(&square, &[polynomial(claim)], variable).expect("one coordinate");
+    assert_eq!(defects("t1 t2"), []);
+    assert_eq!(defects("(t1^2 + t2^2)/2"), [NotAffine { coordinate: 0, argument: 1, degree: 2 }]);
+    assert_eq!(
+        defects("t1 t2 + t1 - t2"),
+        [NotSymmetric { coordinate: 0, arguments: (1, 2), difference: polynomial("2 t2 - 2 t1") }]
+    );
+    assert_eq!(defects("t1 t2 + 1"), [WrongDiagonal { coordinate: 0, difference: polynomial("1") }]);
+}
