@@ -1,6 +1,6 @@
 //! Polynomial curves by their equations.
 
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 use crate::affine::{AffineMap, Interval, Parameter};
 use crate::blossom::PolarForm;
@@ -62,7 +62,7 @@ impl<C: Coefficient> Curve<C> {
 
     /// The curve with the vectors `F_0, …, F_m`, one after the other.
     pub(crate) fn from_vectors(dimension: usize, coefficients: Vec<C>) -> Self {
-        debug_assert!(dimension > 0 && !coefficients.is_empty() && coefficients.len() % dimension == 0);
+        debug_assert!(dimension > 0 && !coefficients.is_empty() && coefficients.len().is_multiple_of(dimension));
         Self { degree: coefficients.len() / dimension - 1, dimension, coefficients }
     }
 
@@ -213,11 +213,12 @@ impl<C: Coefficient> Curve<C> {
     /// None for a frame of numbers or symbols; the result is checked like any other.
     pub fn segment(&self, frame: &Interval<C>) -> Result<Segment<C>, Error> {
         let ((r, r_scale), (s, s_scale)) = (frame.r().fraction(), frame.s().fraction());
-        let rows = smallvec::smallvec![r_scale.clone(), r, s_scale.clone(), s];
+        let rows = smallvec![r_scale.clone(), r, s_scale.clone(), s];
         let (reframe, parameters) =
             Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame(format!("the frame {frame} is degenerate")))?;
         let shape = Shape::curve(self.degree, self.dimension);
-        let layout = Layout { scales: smallvec::smallvec![r_scale, s_scale], ..Layout::form(shape.clone()) };
+        let scales = smallvec![r_scale, s_scale];
+        let layout = Layout { shape: shape.clone(), scales, multinomial: true, constant: C::unit(), divisors: SmallVec::new() };
         let task = ChangeFrame { shape: shape.clone(), reframe, from_form: true };
         Ok(Segment::from_net(shape, C::compute(&task, &self.coefficients, &parameters, &[layout]), frame.clone()))
     }

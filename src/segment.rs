@@ -62,7 +62,7 @@ impl<C: Coefficient> Segment<C> {
     /// [`Error::WrongShape`] if there is no point or the list does not divide
     /// into points of that dimension.
     pub fn new(dimension: usize, coordinates: Vec<C>, frame: Interval<C>) -> Result<Self, Error> {
-        if dimension == 0 || coordinates.is_empty() || coordinates.len() % dimension != 0 {
+        if dimension == 0 || coordinates.is_empty() || !coordinates.len().is_multiple_of(dimension) {
             return Err(Error::WrongShape(format!(
                 "{} coordinates do not make one or more points with {dimension} coordinates",
                 coordinates.len()

@@ -306,7 +306,7 @@ impl<T: Task> Call<'_, T> {
             None => self.data.iter().map(|value| self.common.numerator(value)).collect(),
         };
         let mut parameters: SmallVec<[R; 32]> = SmallVec::new();
-        parameters.extend(self.parameters.iter().map(integer));
+        self.parameters.iter().for_each(|parameter| parameters.push(integer(parameter)));
         let results = self.task.run(numerators, &parameters);
         let mut reduced = Vec::with_capacity(results.len());
         let mut results = results.into_iter();
@@ -324,15 +324,15 @@ fn reduce<R: Integer>(
     results: &mut impl Iterator<Item = R>,
     reduced: &mut Vec<Rational>,
 ) {
-    if R::WORDS == 1 {
-        if let Some(short) = ShortDenominators::<u64>::new(layout, common) {
-            return short.reduce(layout, results, reduced);
-        }
+    if R::WORDS == 1
+        && let Some(short) = ShortDenominators::<u64>::new(layout, common)
+    {
+        return short.reduce(layout, results, reduced);
     }
-    if R::WORDS == 1 || R::WORDS == 2 {
-        if let Some(short) = ShortDenominators::<u128>::new(layout, common) {
-            return short.reduce(layout, results, reduced);
-        }
+    if (1..=2).contains(&R::WORDS)
+        && let Some(short) = ShortDenominators::<u128>::new(layout, common)
+    {
+        return short.reduce(layout, results, reduced);
     }
     LongDenominators::new(layout, common).reduce(layout, results, reduced);
 }

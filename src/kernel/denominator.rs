@@ -35,7 +35,12 @@ impl CommonDenominator {
         let mut common = 1u64;
         for value in data {
             let Some((_, denom)) = value.as_small() else { return Self::of_big(data) };
-            if common % denom != 0 {
+            if common.is_multiple_of(denom) {
+                continue;
+            }
+            if denom.is_multiple_of(common) {
+                common = denom;
+            } else {
                 match (denom / gcd_u64(common, denom)).checked_mul(common) {
                     Some(multiple) if multiple <= i64::MAX as u64 => common = multiple,
                     _ => return Self::of_big(data),

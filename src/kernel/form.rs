@@ -43,28 +43,31 @@ impl<R: Ring> Form<R> {
         }
     }
 
+    #[inline]
     fn with_powers(&mut self, factor: usize, vertex: usize, weight: &R, apply: impl Fn(&mut R, &R)) {
         if weight.is_unit() {
             return;
         }
         let simplex = self.shape.factors[factor];
-        let (outer, inner) = self.shape.blocks(factor);
-        if simplex.dimension == 1 {
-            // The exponents of a curve count up or down: one running power.
-            for block in blocks(&mut self.entries, outer, (simplex.degree + 1) * inner) {
-                let mut power = R::unit();
-                for exponent in 1..=simplex.degree {
-                    power.multiply(weight);
-                    let place = if vertex == 1 { exponent } else { simplex.degree - exponent };
-                    match &mut block[place * inner..(place + 1) * inner] {
-                        // One coordinate is frequent, and not worth a vector loop.
-                        [scalar] => apply(scalar, &power),
-                        point => point.iter_mut().for_each(|scalar| apply(scalar, &power)),
-                    }
-                }
-            }
-            return;
+        if simplex.dimension != 1 {
+            return self.with_powers_of_simplex(factor, vertex, weight, apply);
         }
+        let (outer, inner) = self.shape.blocks(factor);
+        for block in blocks(&mut self.entries, outer, (simplex.degree + 1) * inner) {
+            // The exponents of a curve count up or down: one running power.
+            match (vertex, inner) {
+                (1, 1) => apply_powers(block[1..].iter_mut().map(std::slice::from_mut), weight, &apply),
+                (1, _) => apply_powers(block[inner..].chunks_exact_mut(inner), weight, &apply),
+                (_, 1) => apply_powers(block[..simplex.degree].iter_mut().map(std::slice::from_mut).rev(), weight, &apply),
+                _ => apply_powers(block[..simplex.degree * inner].chunks_exact_mut(inner).rev(), weight, &apply),
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn with_powers_of_simplex(&mut self, factor: usize, vertex: usize, weight: &R, apply: impl Fn(&mut R, &R)) {
+        let simplex = self.shape.factors[factor];
+        let (outer, inner) = self.shape.blocks(factor);
         let mut powers: SmallVec<[R; 16]> = SmallVec::with_capacity(simplex.degree + 1);
         powers.push(R::unit());
         for exponent in 1..=simplex.degree {
@@ -196,6 +199,20 @@ fn blocks<R>(mut entries: &mut [R], count: usize, length: usize) -> impl Iterato
     })
 }
 
+/// Applies the first, second, … power of the weight to the points in turn.
+#[inline]
+fn apply_powers<'a, R: Ring + 'a>(points: impl Iterator<Item = &'a mut [R]>, weight: &R, apply: impl Fn(&mut R, &R)) {
+    let mut power = R::unit();
+    for point in points {
+        power.multiply(weight);
+        match point {
+            // One coordinate is frequent, and not worth a vector loop.
+            [scalar] => apply(scalar, &power),
+            point => point.iter_mut().for_each(|scalar| apply(scalar, &power)),
+        }
+    }
+}
+
 /// One pass of Horner's scheme: every entry takes in the one before it.
 #[inline]
 fn carry<'a, R: 'a>(mut line: impl Iterator<Item = &'a mut R>, add: impl Fn(&mut R, &R)) {
@@ -313,6 +330,43 @@ mod tests {
                 old[source] = if source == vertex { weights[vertex] * at[vertex] } else { at[source] + weights[source] * at[vertex] };
             }
             prop_assert_eq!(value(&replaced, &at), value(&form, &old));
+        }
+
+        /// Straight loops, wrapping words and additive shears against the definition.
+        #[test]
+        fn curves_of_any_ring_are_substituted_alike(
+            entries in prop::collection::vec(-50i64..50, 12),
+            stride in 1usize..4,
+            vertex in 0usize..2,
+            weights in prop::array::uniform2(-4i64..5),
+        ) {
+            let degree = 12 / stride - 1;
+            let words = Form { shape: Shape::curve(degree, stride), entries: entries[..(degree + 1) * stride].to_vec() };
+            let mut long = Form { shape: words.shape.clone(), entries: words.entries.iter().map(|&x| num_bigint::BigInt::from(x)).collect() };
+            let mut double = Form { shape: words.shape.clone(), entries: words.entries.iter().map(|&x| i128::from(x)).collect() };
+            let before = double.clone();
+            long.replace(0, vertex, &weights.map(num_bigint::BigInt::from));
+            double.replace(0, vertex, &weights.map(i128::from));
+            prop_assert_eq!(&long.entries, &double.entries.iter().map(|&x| num_bigint::BigInt::from(x)).collect::<Vec<_>>());
+            for at in [[2i128, 3], [-1, 2], [1, 0], [0, 1]] {
+                let mut old = at;
+                for source in 0..2 {
+                    let weight = i128::from(weights[source]) * at[vertex];
+                    old[source] = if source == vertex { weight } else { at[source] + weight };
+                }
+                prop_assert_eq!(value(&double, &at), value(&before, &old));
+            }
+            if weights[0] % 2 != 0 {
+                let mut scaled = words.clone();
+                // Far beyond a word: undoing does not mind.
+                for _ in 0..30 {
+                    scaled.scale(0, vertex, &weights[0]);
+                }
+                for _ in 0..30 {
+                    scaled.unscale(0, vertex, &weights[0]);
+                }
+                prop_assert_eq!(scaled, words);
+            }
         }
 
         #[test]

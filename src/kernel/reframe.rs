@@ -72,11 +72,11 @@ impl Reframe {
             let row = &done[new * size..];
             for (other, surplus) in rest.chunks_exact_mut(size).zip(&mut surplus[new + 1..]) {
                 let at_vertex = other[vertex].clone();
-                for (position, weight) in other.iter_mut().enumerate().filter(|&(position, _)| position != vertex) {
-                    weight.multiply(&row[vertex]);
+                for position in (0..size).filter(|&position| position != vertex) {
                     let mut share = at_vertex.clone();
                     share.multiply(&row[position]);
-                    weight.subtract(&share);
+                    other[position].multiply(&row[vertex]);
+                    other[position].subtract(&share);
                 }
                 surplus.multiply(&row[vertex]);
             }

@@ -161,19 +161,22 @@ impl Task for SymmetricSum {
         arguments.chunks_exact(2).fold(largest, |growth, argument| growth.times(weights_growth(argument)))
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
+    fn run<R: Ring>(&self, mut numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
         let (arguments, multiples) = parameters.split_at(2 * self.degree);
         let mut symmetric: SmallVec<[R; 12]> = elementary_symmetric(arguments);
         for (value, multiple) in symmetric.iter_mut().zip(multiples) {
             value.multiply(multiple);
         }
-        let mut sums = vec![R::nothing(); self.dimension];
-        for (coefficients, value) in numerators.chunks_exact(self.dimension).zip(&symmetric) {
+        // The first vector of the data becomes the sum.
+        let (sums, rest) = numerators.split_at_mut(self.dimension);
+        sums.iter_mut().for_each(|sum| sum.multiply(&symmetric[0]));
+        for (coefficients, value) in rest.chunks_exact(self.dimension).zip(&symmetric[1..]) {
             for (sum, coefficient) in sums.iter_mut().zip(coefficients) {
                 sum.add_product(coefficient, value);
             }
         }
-        sums
+        numerators.truncate(self.dimension);
+        numerators
     }
 }
 
@@ -234,5 +237,17 @@ impl Task for Value {
             power.multiply(&parameters[1]);
         }
         sums
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elementary_symmetric_functions() {
+        // (5 + 2X)(7 - 3X)(1 + X)
+        assert_eq!(elementary_symmetric(&[2i64, 5, -3, 7, 1, 1])[..], [35, 34, -7, -6]);
+        assert_eq!(elementary_symmetric::<i64>(&[])[..], [1]);
     }
 }
