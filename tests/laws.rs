@@ -392,9 +392,6 @@ fn every_axiom_is_checked_by_itself() {
     let defects = |claim: &str| check_polar_form(&square, &[polynomial(claim)], variable).expect("one coordinate");
     assert_eq!(defects("t1 t2"), []);
     assert_eq!(defects("(t1^2 + t2^2)/2"), [NotAffine { coordinate: 0, argument: 1, degree: 2 }]);
-    assert_eq!(
-        defects("t1 t2 + t1 - t2"),
-        [NotSymmetric { coordinate: 0, arguments: (1, 2), difference: polynomial("2 t2 - 2 t1") }]
-    );
+    assert_eq!(defects("t1 t2 + t1 - t2"), [NotSymmetric { coordinate: 0, arguments: (1, 2), difference: polynomial("2 t2 - 2 t1") }]);
     assert_eq!(defects("t1 t2 + 1"), [WrongDiagonal { coordinate: 0, difference: polynomial("1") }]);
 }

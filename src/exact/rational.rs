@@ -209,10 +209,10 @@ impl Rational {
     pub fn pow(&self, exponent: u32) -> Self {
         match &self.0 {
             Repr::Small { numer, denom } => {
-                if let (Some(numer), Some(denom)) = (numer.checked_pow(exponent), denom.get().checked_pow(exponent)) {
-                    if denom <= i64::MAX as u64 {
-                        return Self::small(numer, denom);
-                    }
+                if let (Some(numer), Some(denom)) = (numer.checked_pow(exponent), denom.get().checked_pow(exponent))
+                    && denom <= i64::MAX as u64
+                {
+                    return Self::small(numer, denom);
                 }
                 Self::from_reduced_big(self.numer().pow(exponent), self.denom().pow(exponent))
             }

@@ -168,7 +168,7 @@ impl IntegerPolynomial {
 
 /// The largest prime below a number above 2.
 fn previous_prime(below: u64) -> u64 {
-    let is_prime = |n: &u64| *n % 2 == 1 && (3..).step_by(2).take_while(|d| d * d <= *n).all(|d| *n % d != 0);
+    let is_prime = |n: &u64| *n % 2 == 1 && (3..).step_by(2).take_while(|d| d * d <= *n).all(|d| !(*n).is_multiple_of(d));
     (2..below).rev().find(is_prime).unwrap_or(2)
 }
 
