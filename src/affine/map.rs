@@ -40,8 +40,8 @@ impl<C: Coefficient> AffineMap<C> {
         Ok(AffineMap { rows: self.rows.iter().map(|row| list(row)).collect::<Result<_, E>>()?, shift: list(&self.shift)? })
     }
 
-    /// All its numbers.
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = &C> {
+    /// All its numbers: the rows, then the shift.
+    pub fn numbers(&self) -> impl Iterator<Item = &C> {
         self.rows.iter().flatten().chain(&self.shift)
     }
 

@@ -1,6 +1,7 @@
 //! Exact numbers: rationals with an inline small form, decimals read digit by
 //! digit, greatest common divisors, and the integer widths the kernel runs on.
 
+mod arithmetic;
 pub(crate) mod decimal;
 pub(crate) mod fixed;
 pub(crate) mod gcd;

@@ -3,13 +3,11 @@
 use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
-use std::iter::{Product, Sum};
 use std::num::NonZeroU64;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
-use num_traits::{Num, One, Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::gcd::{gcd_u64, gcd_u128, reduce_big};
 
@@ -33,10 +31,10 @@ use super::gcd::{gcd_u64, gcd_u128, reduce_big};
 /// assert_eq!(Rational::from(big), third);
 /// ```
 #[derive(Clone)]
-pub struct Rational(Repr);
+pub struct Rational(pub(super) Repr);
 
 #[derive(Clone)]
-enum Repr {
+pub(super) enum Repr {
     /// `denom` is at most `i64::MAX`.
     Small { numer: i64, denom: NonZeroU64 },
     /// Numerator or denominator does not fit `Small`.
@@ -128,7 +126,7 @@ impl Rational {
     }
 
     #[inline]
-    fn small(numer: i64, denom: u64) -> Self {
+    pub(super) fn small(numer: i64, denom: u64) -> Self {
         match NonZeroU64::new(denom) {
             Some(denom) => Self(Repr::Small { numer, denom }),
             None => unreachable!("denominators are checked where they come in"),
@@ -307,186 +305,6 @@ impl Ord for Rational {
 impl PartialOrd for Rational {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
-    }
-}
-
-fn add(a: &Rational, b: &Rational) -> Rational {
-    match (&a.0, &b.0) {
-        (Repr::Small { numer: a, denom: b }, Repr::Small { numer: c, denom: d }) => {
-            let (b, d) = (b.get(), d.get());
-            if let (1, 1, Some(sum)) = (b, d, a.checked_add(*c)) {
-                return Rational::small(sum, 1);
-            }
-            if b == d {
-                return Rational::from_i128(i128::from(*a) + i128::from(*c), u128::from(b));
-            }
-            // Both products are below 2^126, so the sum fits.
-            Rational::from_i128(i128::from(*a) * i128::from(d) + i128::from(*c) * i128::from(b), u128::from(b) * u128::from(d))
-        }
-        _ => Rational::from_big(a.numer() * b.denom() + b.numer() * a.denom(), a.denom() * b.denom()),
-    }
-}
-
-fn subtract(a: &Rational, b: &Rational) -> Rational {
-    add(a, &-b)
-}
-
-fn multiply(a: &Rational, b: &Rational) -> Rational {
-    match (&a.0, &b.0) {
-        (Repr::Small { numer: a, denom: b }, Repr::Small { numer: c, denom: d }) => {
-            if let (1, 1, Some(product)) = (b.get(), d.get(), a.checked_mul(*c)) {
-                return Rational::small(product, 1);
-            }
-            Rational::from_i128(i128::from(*a) * i128::from(*c), u128::from(b.get()) * u128::from(d.get()))
-        }
-        _ => Rational::from_big(a.numer() * b.numer(), a.denom() * b.denom()),
-    }
-}
-
-fn divide(a: &Rational, b: &Rational) -> Rational {
-    match a.checked_div(b) {
-        Some(quotient) => quotient,
-        None => panic!("division of a rational number by zero"),
-    }
-}
-
-fn remainder(a: &Rational, b: &Rational) -> Rational {
-    let quotient = divide(a, b);
-    let truncated = Rational::from(quotient.numer() / quotient.denom());
-    subtract(a, &multiply(b, &truncated))
-}
-
-macro_rules! operators {
-    ($($operator:ident $method:ident $assign:ident $assign_method:ident $function:ident;)*) => {$(
-        impl $operator<&Rational> for &Rational {
-            type Output = Rational;
-            fn $method(self, other: &Rational) -> Rational { $function(self, other) }
-        }
-        impl $operator<Rational> for &Rational {
-            type Output = Rational;
-            fn $method(self, other: Rational) -> Rational { $function(self, &other) }
-        }
-        impl $operator<&Rational> for Rational {
-            type Output = Rational;
-            fn $method(self, other: &Rational) -> Rational { $function(&self, other) }
-        }
-        impl $operator for Rational {
-            type Output = Rational;
-            fn $method(self, other: Rational) -> Rational { $function(&self, &other) }
-        }
-        impl $assign<&Rational> for Rational {
-            fn $assign_method(&mut self, other: &Rational) { *self = $function(self, other); }
-        }
-        impl $assign for Rational {
-            fn $assign_method(&mut self, other: Rational) { *self = $function(self, &other); }
-        }
-    )*};
-}
-
-operators! {
-    Add add AddAssign add_assign add;
-    Sub sub SubAssign sub_assign subtract;
-    Mul mul MulAssign mul_assign multiply;
-    Div div DivAssign div_assign divide;
-    Rem rem RemAssign rem_assign remainder;
-}
-
-impl Neg for &Rational {
-    type Output = Rational;
-    fn neg(self) -> Rational {
-        match &self.0 {
-            Repr::Small { numer, denom } => match numer.checked_neg() {
-                Some(numer) => Rational(Repr::Small { numer, denom: *denom }),
-                None => Rational::from_reduced_big(-BigInt::from(*numer), BigInt::from(denom.get())),
-            },
-            Repr::Big(big) => Rational::from_reduced_big(-big.numer(), big.denom().clone()),
-        }
-    }
-}
-
-impl Neg for Rational {
-    type Output = Rational;
-    fn neg(self) -> Rational {
-        -&self
-    }
-}
-
-impl Zero for Rational {
-    #[inline]
-    fn zero() -> Self {
-        Self::from(0)
-    }
-    #[inline]
-    fn is_zero(&self) -> bool {
-        matches!(self.0, Repr::Small { numer: 0, .. })
-    }
-}
-
-impl One for Rational {
-    #[inline]
-    fn one() -> Self {
-        Self::from(1)
-    }
-}
-
-impl Default for Rational {
-    fn default() -> Self {
-        Self::zero()
-    }
-}
-
-impl Num for Rational {
-    type FromStrRadixErr = num_rational::ParseRatioError;
-    fn from_str_radix(text: &str, radix: u32) -> Result<Self, Self::FromStrRadixErr> {
-        BigRational::from_str_radix(text, radix).map(Self::from)
-    }
-}
-
-impl Signed for Rational {
-    fn abs(&self) -> Self {
-        if self.is_negative() { -self } else { self.clone() }
-    }
-    fn abs_sub(&self, other: &Self) -> Self {
-        if self <= other { Self::zero() } else { self - other }
-    }
-    fn signum(&self) -> Self {
-        Self::from(i64::from(self.is_positive()) - i64::from(self.is_negative()))
-    }
-    fn is_positive(&self) -> bool {
-        match &self.0 {
-            Repr::Small { numer, .. } => *numer > 0,
-            Repr::Big(big) => big.numer().is_positive(),
-        }
-    }
-    fn is_negative(&self) -> bool {
-        match &self.0 {
-            Repr::Small { numer, .. } => *numer < 0,
-            Repr::Big(big) => big.numer().is_negative(),
-        }
-    }
-}
-
-impl Sum for Rational {
-    fn sum<I: Iterator<Item = Self>>(terms: I) -> Self {
-        terms.fold(Self::zero(), |sum, term| sum + term)
-    }
-}
-
-impl<'a> Sum<&'a Rational> for Rational {
-    fn sum<I: Iterator<Item = &'a Rational>>(terms: I) -> Self {
-        terms.fold(Self::zero(), |sum, term| sum + term)
-    }
-}
-
-impl Product for Rational {
-    fn product<I: Iterator<Item = Self>>(factors: I) -> Self {
-        factors.fold(Self::one(), |product, factor| product * factor)
-    }
-}
-
-impl<'a> Product<&'a Rational> for Rational {
-    fn product<I: Iterator<Item = &'a Rational>>(factors: I) -> Self {
-        factors.fold(Self::one(), |product, factor| product * factor)
     }
 }
 
