@@ -2,6 +2,7 @@
 
 use crate::draw::CurvePicture;
 use crate::error::Error;
+use crate::exact::Rational;
 use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
@@ -12,5 +13,17 @@ pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
     if let Ok(&depth) = arguments.count("depth") {
         picture = picture.with_subdivision(depth);
     }
+    if let Ok(angles) = arguments.numbers("view") {
+        let [azimuth, elevation] = angles.as_slice() else {
+            return Err(Error::WrongCount { what: "angles", expected: 2, found: angles.len() });
+        };
+        picture = picture.with_view(degrees(azimuth)?, degrees(elevation)?);
+    }
     Ok(Answer::new(vec![("svg", Value::Document(picture.svg()?))]))
+}
+
+/// A whole number of degrees, at most a full turn either way.
+fn degrees(angle: &Rational) -> Result<i32, Error> {
+    let whole = i32::try_from(angle.numer()).ok().filter(|degrees| angle.is_integer() && degrees.abs() <= 360);
+    whole.ok_or_else(|| Error::WrongShape(format!("an angle of the view is a whole number of degrees from -360 to 360, found {angle}")))
 }

@@ -463,6 +463,7 @@ pub const OPERATIONS: &[Operation] = &[
             OVER,
             optional("t", Kind::Number, "at", "also the steps of de Casteljau's algorithm at this parameter"),
             optional("depth", Kind::Count, "depth", "also the control polygons of this many subdivisions"),
+            optional("view", Kind::Numbers, "view", "azimuth and elevation in whole degrees, for a curve in space: 30,25 unless said"),
         ],
         growth: Growth::Linear,
         run: Run::Numeric(picture::plot),

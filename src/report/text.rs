@@ -33,7 +33,11 @@ struct Page<'a, C> {
 
 impl<C: Coefficient> Page<'_, C> {
     fn field(&mut self, name: &str, value: &Value<C>, named: bool) -> Result<(), String> {
-        let title = name.replace('_', " ");
+        let title = match name {
+            "distinct_roots_open" => "roots inside the frame".to_owned(),
+            "roots_with_multiplicity_open" => "counted with multiplicity".to_owned(),
+            _ => name.replace('_', " "),
+        };
         match value {
             Value::Truth(truth) => self.truth(name, &title, *truth),
             Value::Count(count) => self.lines.push(format!("{title}: {count}")),
