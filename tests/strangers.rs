@@ -245,3 +245,14 @@ fn large_but_legal_work_has_limits() {
     refused(&["product", "-", &many, "-q"], many.as_bytes(), "beyond the limit");
     refused(&["roots", "-", "-q"], format!("[1,{}2]", "0,".repeat(2000)).as_bytes(), "beyond the limit");
 }
+
+/// Where standard error cannot be written, the answer and the exit status have to do.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_standard_error_does_not_panic() {
+    for (arguments, status) in [(&["eval", "(0,0) (1,1)", "--at", "1/2"][..], 0), (&["eval", "(0,0", "--at", "1/2"], 2)] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("the device");
+        let output = Command::new(env!("CARGO_BIN_EXE_casteljau")).args(arguments).stderr(full).output().expect("the program starts");
+        assert_eq!(output.status.code(), Some(status), "{arguments:?}");
+    }
+}

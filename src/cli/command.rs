@@ -3,6 +3,7 @@
 use clap::{Arg, ArgAction, Command, value_parser};
 
 use crate::exact::MAX_DIGITS;
+use crate::ops::limits::{MAX_NUMBERS, MAX_STEPS};
 use crate::ops::{Kind, OPERATIONS, Operation, Parameter};
 use crate::segment::Segment;
 use crate::syntax::limits::{MAX_DEGREE, MAX_INPUT_BYTES, MAX_NESTING, MAX_TERMS};
@@ -34,7 +35,8 @@ pub(super) fn parameters(verb: &str) -> Vec<&'static Parameter> {
 pub(super) fn program() -> Command {
     let limits = format!(
         "Limits: {MAX_INPUT_BYTES} bytes of input, {MAX_DIGITS} digits a number, degree {MAX_DEGREE}, {MAX_TERMS} terms,\n\
-         nesting {MAX_NESTING}, depth of subdivision {}. Exit status: 0 done, 1 the answer is no, 2 the input cannot be used.",
+         nesting {MAX_NESTING}, depth of subdivision {}; {MAX_NUMBERS} numbers an answer, and {MAX_STEPS} steps on\n\
+         machine words as estimated before the work. Exit status: 0 done, 1 the answer is no, 2 the input cannot be used.",
         Segment::<crate::exact::Rational>::MAX_DEPTH
     );
     let mut program = Command::new("casteljau")

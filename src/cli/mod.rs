@@ -13,7 +13,6 @@ use std::process::ExitCode;
 use clap::ArgMatches;
 
 use crate::kernel::coefficient::Coefficient;
-use crate::ops::Operation;
 use crate::report::{self, Notation};
 use crate::symbolic::Symbol;
 use crate::syntax::Style;
@@ -29,8 +28,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         match argument.into_string() {
             Ok(text) => texts.push(text),
             Err(argument) => {
-                eprintln!("error: the argument {} is not valid UTF-8", argument.to_string_lossy());
-                return ExitCode::from(2);
+                let message = format!("the argument {} is not valid UTF-8", argument.to_string_lossy());
+                return Problem::plain(message).show(false);
             }
         }
     }
@@ -81,27 +80,28 @@ fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
     let operation = read::selected(verb, matches)?;
     let (arguments, notes) = read::arguments(operation, matches)?;
     if !matches.get_flag("quiet") {
-        notes.iter().for_each(|note| eprintln!("note: {note}"));
+        notes.iter().for_each(|note| tell(note));
     }
     if matches.get_count("verbose") > 0 {
-        eprintln!("note: this is the operation {}", operation.name);
+        tell(&format!("this is the operation {}", operation.name));
     }
     match arguments.numeric() {
-        Ok(arguments) => finish(operation, matches, &arguments, operation.on_numbers(&arguments)?),
+        Ok(arguments) => finish(matches, &arguments, &operation.on_numbers(&arguments)?),
         Err((symbol, name)) => match operation.on_symbols(&arguments) {
-            Some(answer) => finish(operation, matches, &arguments, answer?),
+            Some(answer) => finish(matches, &arguments, &answer?),
             None => Err(read::needs_numbers(operation, symbol, name)),
         },
     }
 }
 
-fn finish<C: Coefficient>(
-    operation: &Operation,
-    matches: &ArgMatches,
-    arguments: &Arguments<C>,
-    answer: Answer<C>,
-) -> Result<bool, Problem> {
-    let rendered = render(matches, arguments, &answer)?;
+/// A word to the user beside the answer. Unlike the standard macro this does
+/// not panic where nobody reads standard error any more.
+fn tell(note: &str) {
+    let _ = writeln!(io::stderr(), "note: {note}");
+}
+
+fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<bool, Problem> {
+    let rendered = render(matches, arguments, answer)?;
     match matches.try_get_one::<String>("output").ok().flatten() {
         Some(path) => {
             if !path.ends_with(".svg") {
@@ -111,7 +111,6 @@ fn finish<C: Coefficient>(
         }
         None => print(rendered.as_bytes())?,
     }
-    debug_assert!(answer.holds.is_none() || !operation.verb.is_empty());
     Ok(answer.holds.unwrap_or(true))
 }
 

@@ -10,10 +10,10 @@ use crate::syntax::limits::MAX_DEGREE;
 use crate::value::{Arguments, Value};
 
 /// The most numbers an answer may hold.
-const MAX_NUMBERS: usize = 1 << 20;
+pub(crate) const MAX_NUMBERS: usize = 1 << 20;
 
 /// The most work, in multiplications of machine words: some ten seconds.
-const MAX_STEPS: u64 = 1 << 30;
+pub(crate) const MAX_STEPS: u64 = 1 << 30;
 
 /// What an operation on long numbers costs beside its words.
 const OVERHEAD: u64 = 32;

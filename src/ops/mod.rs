@@ -6,7 +6,7 @@
 
 mod curve;
 mod geometry;
-mod limits;
+pub(crate) mod limits;
 mod numbers;
 mod picture;
 mod table;
