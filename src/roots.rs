@@ -91,7 +91,7 @@ impl RealRoots {
     /// numbers; [`Error::TooLarge`] above [`RealRoots::MAX_DEGREE`], and if two
     /// roots are closer than [`RealRoots::MAX_HALVINGS`] halvings of the frame tell.
     pub fn inside(coefficients: &[Rational], frame: &Interval) -> Result<Self, Error> {
-        let whole = IntegerPolynomial::of(coefficients);
+        let whole = IntegerPolynomial::primitive(cleared(coefficients));
         if whole.is_zero() {
             return Err(Error::Unsupported("the polynomial is zero everywhere: every number is a root".into()));
         }
@@ -103,10 +103,8 @@ impl RealRoots {
         for (polynomial, multiplicity) in whole.square_free_factors() {
             let list = polynomial.coefficients().iter().cloned().map(Rational::from).collect();
             let segment = Curve::new(vec![list])?.segment(&frame)?;
-            let (numerators, _) = Rational::clear(segment.coordinates());
-            let bernstein = numerators.iter().map(Rational::numer).collect();
             let mut roots = Vec::new();
-            isolate(bernstein, frame.r().clone(), frame.s().clone(), &mut roots)?;
+            isolate(cleared(segment.coordinates()), frame.r().clone(), frame.s().clone(), &mut roots)?;
             factors.push(Factor { polynomial, multiplicity, roots });
         }
         Ok(Self { factors, resolution: (frame.s() - frame.r()) * Rational::new(1, Self::SHOWN) })
@@ -204,6 +202,11 @@ impl Factor {
         let simplest = if low == high { low.clone() } else { simplest_between(low, high) };
         (self.polynomial.sign_at(&simplest) == 0).then_some(Isolated::Exact(simplest))
     }
+}
+
+/// Numbers times their common denominator.
+fn cleared(numbers: &[Rational]) -> Vec<BigInt> {
+    Rational::clear(numbers).0.iter().map(Rational::numer).collect()
 }
 
 /// The sign changes in a list, zeros dropped. For the Bernstein coefficients

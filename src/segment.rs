@@ -11,7 +11,7 @@ use crate::kernel::layout::Layout;
 use crate::kernel::reframe::Reframe;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::{ChangeDegree, ChangeFrame, PolarValue, Product, Split};
-use crate::scheme::Scheme;
+use crate::scheme::{Scheme, polar_label};
 
 /// A polynomial curve over a frame `(r, s)`, given by its control points
 /// `b_i = f(r^{m-i} s^i)`.
@@ -118,6 +118,15 @@ impl<C: Coefficient> Segment<C> {
     #[must_use]
     pub fn point(&self, index: usize) -> &[C] {
         &self.coordinates[index * self.dimension()..(index + 1) * self.dimension()]
+    }
+
+    /// The polar label of the control point `b_i`, such as `f(r,r,s)`.
+    ///
+    /// # Panics
+    /// If `index` is larger than the polar degree.
+    #[must_use]
+    pub fn label(&self, index: usize) -> String {
+        polar_label(&[("r", self.degree() - index), ("s", index)])
     }
 
     /// The control points in order.

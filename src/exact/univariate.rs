@@ -13,18 +13,8 @@ use super::gcd::gcd_big;
 pub(crate) struct IntegerPolynomial(Vec<BigInt>);
 
 impl IntegerPolynomial {
-    /// The multiple of a rational polynomial that is primitive, with the same sign.
-    pub(crate) fn of(coefficients: &[Rational]) -> Self {
-        let mut common = BigInt::one();
-        for coefficient in coefficients {
-            let denom = coefficient.denom();
-            let shared = BigInt::from(gcd_big(common.magnitude(), denom.magnitude()));
-            common *= denom / shared;
-        }
-        Self::primitive(coefficients.iter().map(|coefficient| coefficient.numer() * (&common / coefficient.denom())).collect())
-    }
-
-    fn primitive(mut coefficients: Vec<BigInt>) -> Self {
+    /// The polynomial with these coefficients in ascending powers, divided by what they have in common.
+    pub(crate) fn primitive(mut coefficients: Vec<BigInt>) -> Self {
         while coefficients.last().is_some_and(Zero::is_zero) {
             coefficients.pop();
         }

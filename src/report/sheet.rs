@@ -2,7 +2,6 @@
 
 use super::formula::Notation;
 use crate::kernel::coefficient::Coefficient;
-use crate::scheme::polar_label;
 use crate::segment::Segment;
 use crate::value::{Answer, Arguments, Value};
 
@@ -111,9 +110,8 @@ fn piece<C: Coefficient>(segment: &Segment<C>, notation: &Notation, lines: &mut 
 }
 
 fn net<C: Coefficient>(segment: &Segment<C>, notation: &Notation, lines: &mut Vec<String>) {
-    let degree = segment.degree();
     for (i, point) in segment.points().enumerate() {
-        let label = polar_label(&[("r", degree - i), ("s", i)]);
+        let label = segment.label(i);
         lines.push(format!("{label} &= {}", notation.point(point)));
     }
 }

@@ -6,7 +6,7 @@ use crate::affine::Interval;
 use crate::blossom::{PolarDefect, PolarForm};
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
-use crate::scheme::{Scheme, polar_label};
+use crate::scheme::Scheme;
 use crate::segment::Segment;
 use crate::syntax::printer;
 use crate::value::{Answer, Arguments, Value};
@@ -144,8 +144,7 @@ impl<C: Coefficient> Page<'_, C> {
     }
 
     fn net(&mut self, segment: &Segment<C>) {
-        let degree = segment.degree();
-        let labels: Vec<String> = (0..=degree).map(|i| polar_label(&[("r", degree - i), ("s", i)])).collect();
+        let labels: Vec<String> = (0..=segment.degree()).map(|i| segment.label(i)).collect();
         let width = labels.iter().map(|label| label.chars().count()).max().unwrap_or(0);
         for (label, point) in labels.iter().zip(segment.points()) {
             self.lines.push(format!("{label:width$} = {}{}", self.notation.point(point), self.approximately(point)));
