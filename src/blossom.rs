@@ -1,20 +1,24 @@
-//! Polar forms of curves: their coefficients, their terms, and checks of claimed ones.
+//! Polar forms: their coefficients, their terms, and checks of claimed ones.
 
-use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::{Coefficient, Compute};
-use crate::kernel::layout::Layout;
+use crate::kernel::layout::{Layout, multinomials};
 use crate::kernel::shape::Shape;
-use crate::kernel::task::Symmetric;
+use crate::kernel::task::{Symmetric, elementary_symmetric};
+use crate::reading::Reading;
 use crate::symbolic::{Monomial, Polynomial, Symbol};
 
-/// The polar form of a curve of polar degree `m`: for every coordinate the
-/// coefficients `c_k = a_k / C(m, k)` of the elementary symmetric functions
-/// `σ_k(t_1, …, t_m)`.
+/// The polar form of a curve or surface, as coefficients of the elementary
+/// symmetric functions of its arguments.
 ///
-/// (Gallier, *Curves and Surfaces in Geometric Modeling*, section 18.1;
-/// Ramshaw, *Blossoming*, 1987.)
+/// For a curve of polar degree `m` these are `c_k = a_k / C(m, k)` with
+/// `σ_k(t_1, …, t_m)`; for a surface there is one for every pair of exponents,
+/// the coefficient of `u^h v^k` divided by the number of products that share
+/// it: `m!/(h! k! (m-h-k)!)` by the total degree, `C(p, h) C(q, k)` by the bidegree.
+///
+/// (Gallier, *Curves and Surfaces in Geometric Modeling*, sections 18.1 and
+/// 19.1; Ramshaw, *Blossoming*, 1987.)
 ///
 /// ```
 /// use casteljau::{Curve, Rational};
@@ -26,70 +30,116 @@ use crate::symbolic::{Monomial, Polynomial, Symbol};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolarForm<C = Rational> {
-    degree: usize,
-    /// One list a coordinate: `c_0, …, c_m`.
-    coefficients: Vec<Vec<C>>,
+    reading: Reading,
+    dimension: usize,
+    /// The vectors of coefficients, in the order of the reading.
+    coefficients: Vec<C>,
 }
 
 impl<C: Coefficient> PolarForm<C> {
-    pub(crate) fn of(curve: &Curve<C>) -> Self {
-        let degree = curve.degree();
-        let inverses: Vec<C> = binomials(degree).into_iter().filter_map(|c| c.recip()).map(C::from).collect();
-        let coefficients = (0..curve.dimension())
-            .map(|index| curve.coordinate(index).zip(&inverses).map(|(a, inverse)| a.times(inverse)).collect())
-            .collect();
-        Self { degree, coefficients }
+    /// The polar form of a map with these coefficients, vector by vector.
+    pub(crate) fn new(reading: Reading, dimension: usize, coefficients: &[C]) -> Self {
+        let counts = multinomials::<Rational>(&reading.shape(1));
+        let inverses = counts.iter().filter_map(Rational::recip).map(C::from);
+        let vectors = coefficients.chunks_exact(dimension).zip(inverses);
+        let coefficients = vectors.flat_map(|(vector, inverse)| vector.iter().map(move |a| a.times(&inverse))).collect();
+        Self { reading, dimension, coefficients }
+    }
+
+    /// How the map is read.
+    #[must_use]
+    pub fn reading(&self) -> Reading {
+        self.reading
     }
 
     /// The number of arguments.
     #[must_use]
     pub fn degree(&self) -> usize {
-        self.degree
+        self.reading.groups().iter().map(|group| group.0).sum()
     }
 
     /// The number of coordinates.
     #[must_use]
     pub fn dimension(&self) -> usize {
-        self.coefficients.len()
+        self.dimension
     }
 
-    /// The coefficient of `σ_k` in a coordinate.
+    /// A coefficient of a coordinate: for a curve that of `σ_k`; for a surface
+    /// the exponents are counted with the second one running faster.
     ///
     /// # Panics
-    /// If there is no such coordinate or `k` is larger than the polar degree.
+    /// If there is no such coordinate or no such coefficient.
     #[must_use]
-    pub fn coefficient(&self, coordinate: usize, k: usize) -> &C {
-        &self.coefficients[coordinate][k]
+    pub fn coefficient(&self, coordinate: usize, index: usize) -> &C {
+        assert!(coordinate < self.dimension, "the map has {} coordinates", self.dimension);
+        &self.coefficients[index * self.dimension + coordinate]
     }
 
-    /// The polar value at as many arguments as the polar degree.
+    /// The polar value at as many arguments as the polar degree, of a curve's
+    /// polar form or one by the bidegree (then the first variable's come first).
     ///
     /// # Errors
-    /// [`Error::WrongCount`] for any other number of arguments.
+    /// [`Error::WrongCount`] for any other number of arguments,
+    /// [`Error::WrongShape`] if the arguments are points of the plane.
     pub fn value(&self, arguments: &[C]) -> Result<Vec<C>, Error> {
-        if arguments.len() != self.degree {
-            return Err(Error::WrongCount { what: "polar arguments", expected: self.degree, found: arguments.len() });
+        if let Reading::Total(_) = self.reading {
+            return Err(Error::WrongShape("the arguments of this polar form are points of the plane".into()));
         }
-        let symmetric = sigma(arguments);
-        let combine = |coefficients: &Vec<C>| {
-            coefficients.iter().zip(&symmetric).fold(C::nothing(), |mut sum, (c, value)| {
-                sum.add_product(c, value);
-                sum
-            })
+        let pairs: Vec<C> = arguments.iter().flat_map(|t| [C::unit(), t.clone()]).collect();
+        self.sum(&pairs, 2)
+    }
+
+    /// The polar value at points of the plane, of a polar form by the total degree.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] for another number of arguments than the polar
+    /// degree, [`Error::WrongShape`] if the arguments are numbers.
+    pub fn value_at_points(&self, arguments: &[[C; 2]]) -> Result<Vec<C>, Error> {
+        let Reading::Total(_) = self.reading else {
+            return Err(Error::WrongShape("the arguments of this polar form are numbers".into()));
         };
-        Ok(self.coefficients.iter().map(combine).collect())
+        let triples: Vec<C> = arguments.iter().flat_map(|[u, v]| [C::unit(), u.clone(), v.clone()]).collect();
+        self.sum(&triples, 3)
+    }
+
+    fn sum(&self, weights: &[C], size: usize) -> Result<Vec<C>, Error> {
+        if weights.len() != self.degree() * size {
+            return Err(Error::WrongCount { what: "polar arguments", expected: self.degree(), found: weights.len() / size });
+        }
+        let mut rest = weights;
+        let mut symmetric = vec![C::unit()];
+        for (count, dimension) in self.reading.groups() {
+            let (own, others) = rest.split_at(count * (dimension + 1));
+            rest = others;
+            let group = elementary_symmetric(dimension, own);
+            symmetric = symmetric.iter().flat_map(|a| group.iter().map(move |b| a.times(b))).collect();
+        }
+        let mut sum = vec![C::nothing(); self.dimension];
+        for (vector, value) in self.coefficients.chunks_exact(self.dimension).zip(&symmetric) {
+            for (total, c) in sum.iter_mut().zip(vector) {
+                total.add_product(c, value);
+            }
+        }
+        Ok(sum)
     }
 
     /// The number of terms that writing out a coordinate takes.
     #[must_use]
     pub fn term_count(&self, coordinate: usize) -> Rational {
-        let counts = binomials(self.degree);
-        self.coefficients[coordinate].iter().zip(counts).filter(|(c, _)| !c.is_nothing()).map(|(_, count)| count).sum()
+        let counts = multinomials::<Rational>(&self.reading.shape(1));
+        let coefficients = self.coefficients[coordinate..].iter().step_by(self.dimension);
+        coefficients.zip(counts).filter(|(c, _)| !c.is_nothing()).map(|(_, count)| count).sum()
     }
-}
 
-impl<C: Coefficient + Into<Polynomial>> PolarForm<C> {
-    /// One coordinate written out as a polynomial in `t1, …, tm`.
+    /// The coefficients of a coordinate that are not zero, with the exponents
+    /// they stand at: for each group of arguments the weight's first.
+    pub(crate) fn terms(&self, coordinate: usize) -> Vec<(Vec<usize>, &C)> {
+        let coefficients = self.coefficients[coordinate..].iter().step_by(self.dimension);
+        self.reading.exponents().into_iter().zip(coefficients).filter(|(_, c)| !c.is_nothing()).collect()
+    }
+
+    /// One coordinate written out as a polynomial in the coordinates of the
+    /// arguments: `t1, …, tm`, or `U1, V1, …`, or `u1, …, v1, …`.
     ///
     /// # Errors
     /// [`Error::TooLarge`] if it has more than `limit` terms.
@@ -98,12 +148,10 @@ impl<C: Coefficient + Into<Polynomial>> PolarForm<C> {
             return Err(Error::TooLarge { what: "number of terms of the polar form", limit });
         }
         let mut terms = Vec::new();
-        for (k, coefficient) in self.coefficients[coordinate].iter().enumerate() {
-            if coefficient.is_nothing() {
-                continue;
-            }
+        for (exponents, coefficient) in self.terms(coordinate) {
             let coefficient: Polynomial = coefficient.clone().into();
-            for product in symmetric_terms(self.degree, k) {
+            for term in self.reading.terms(&exponents) {
+                let product = self.reading.monomial(&term);
                 terms.extend(coefficient.terms().map(|(monomial, c)| (monomial * &product, c.clone())));
             }
         }
@@ -125,34 +173,10 @@ pub fn sigma<C: Coefficient>(arguments: &[C]) -> Vec<C> {
     let mut pairs = Vec::with_capacity(2 * arguments.len());
     for (t, scale) in arguments.iter().map(Compute::fraction) {
         constant.multiply(&scale);
-        pairs.extend([t, scale]);
+        pairs.extend([scale, t]);
     }
     let layout = Layout::constant(Shape::curve(arguments.len(), 1), constant);
     C::compute(&Symmetric, &[C::unit()], &pairs, &[layout])
-}
-
-/// The argument `t_i` of a polar form, counted from 1.
-#[must_use]
-pub fn polar_symbol(index: usize) -> Symbol {
-    Symbol::new('t', Some(index as u32))
-}
-
-/// The products of `k` of the symbols `t1, …, tm`, in lexicographic order: the terms of `σ_k`.
-#[must_use]
-pub fn symmetric_terms(degree: usize, k: usize) -> Vec<Monomial> {
-    let mut terms = Vec::new();
-    let mut chosen: Vec<usize> = (1..=k).collect();
-    loop {
-        terms.push(Monomial::from_factors(chosen.iter().map(|&index| (polar_symbol(index), 1))));
-        // The next choice: raise the last index that has room, and pack the rest behind it.
-        let Some(position) = (0..k).rev().find(|&position| chosen[position] < degree - (k - 1 - position)) else {
-            return terms;
-        };
-        let next = chosen[position] + 1;
-        for (offset, index) in chosen[position..].iter_mut().enumerate() {
-            *index = next + offset;
-        }
-    }
 }
 
 /// The binomial numbers `C(m, 0), …, C(m, m)`.
@@ -167,14 +191,16 @@ pub(crate) fn binomials(degree: usize) -> Vec<Rational> {
         .collect()
 }
 
-/// Why a claimed polar form is not one of the curve.
+/// Why a claimed polar form is not one of the map.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PolarDefect {
     /// A coordinate changes when two arguments are exchanged.
     NotSymmetric {
         /// The coordinate, counted from 0.
         coordinate: usize,
-        /// The two arguments, counted from 1.
+        /// The group of arguments, counted from 0; only a bidegree has two.
+        group: usize,
+        /// The two arguments, counted from 1 in their group.
         arguments: (usize, usize),
         /// The form with the arguments exchanged minus the claimed one.
         difference: Polynomial,
@@ -183,52 +209,71 @@ pub enum PolarDefect {
     NotAffine {
         /// The coordinate, counted from 0.
         coordinate: usize,
-        /// The argument, counted from 1.
+        /// The group of arguments, counted from 0.
+        group: usize,
+        /// The argument, counted from 1 in its group.
         argument: usize,
         /// The degree in it.
         degree: usize,
     },
-    /// A coordinate does not agree with the curve where all arguments are equal.
+    /// A coordinate does not agree with the map where all arguments are equal.
     WrongDiagonal {
         /// The coordinate, counted from 0.
         coordinate: usize,
-        /// The claimed form on the diagonal minus the curve, in `t`.
+        /// The claimed form on the diagonal minus the map, in its variables.
         difference: Polynomial,
     },
 }
 
-/// Checks a claimed polar form, one polynomial in `t1, …, tm` a coordinate,
-/// against the three axioms (CS348a, lecture 6, section 3): symmetric, affine
-/// in every argument, and the curve on the diagonal. All defects are reported,
-/// for each coordinate the first pair or argument that fails.
+/// Checks a claimed polar form, one polynomial a coordinate in the coordinates
+/// of the arguments ([`Reading::symbol`]), against the three axioms (CS348a,
+/// lecture 6, section 3): symmetric, affine in every argument, and the map
+/// itself on the diagonal. The map is given as polynomials in its one or two
+/// variables. All defects are reported, for each coordinate and group the first
+/// pair or argument that fails.
 ///
 /// # Errors
-/// [`Error::WrongCount`] if the claim has another number of coordinates than the curve.
-pub fn check_polar_form(curve: &Curve<Polynomial>, claim: &[Polynomial], variable: Symbol) -> Result<Vec<PolarDefect>, Error> {
-    if claim.len() != curve.dimension() {
-        return Err(Error::WrongCount { what: "coordinates", expected: curve.dimension(), found: claim.len() });
+/// [`Error::WrongCount`] if the claim has another number of coordinates than the map.
+pub fn check_polar_form(
+    reading: Reading,
+    map: &[Polynomial],
+    variables: &[Symbol],
+    claim: &[Polynomial],
+) -> Result<Vec<PolarDefect>, Error> {
+    if claim.len() != map.len() {
+        return Err(Error::WrongCount { what: "coordinates", expected: map.len(), found: claim.len() });
     }
     let mut defects = Vec::new();
-    for (coordinate, claimed) in claim.iter().enumerate() {
-        let arguments = 1..=curve.degree();
-        if let Some(argument) = arguments.clone().find(|&index| claimed.degree_in(polar_symbol(index)) > 1) {
-            let degree = claimed.degree_in(polar_symbol(argument)) as usize;
-            defects.push(PolarDefect::NotAffine { coordinate, argument, degree });
-        }
-        // Neighbouring transpositions generate all of them.
-        for first in 1..curve.degree() {
-            let exchanged = claimed.swap(polar_symbol(first), polar_symbol(first + 1));
-            if exchanged != *claimed {
-                let difference = &exchanged - claimed;
-                defects.push(PolarDefect::NotSymmetric { coordinate, arguments: (first, first + 1), difference });
-                break;
+    for (coordinate, (claimed, map)) in claim.iter().zip(map).enumerate() {
+        let mut diagonal: Vec<(Symbol, Polynomial)> = Vec::new();
+        let mut used = 0;
+        for (group, (count, dimension)) in reading.groups().into_iter().enumerate() {
+            let degree_in = |argument: usize| {
+                let own: Vec<Symbol> = (1..=dimension).map(|axis| reading.symbol(group, argument, axis)).collect();
+                let degree = |monomial: &Monomial| own.iter().map(|&symbol| monomial.degree_in(symbol)).sum::<u32>();
+                claimed.terms().map(|(monomial, _)| degree(monomial)).max().unwrap_or(0) as usize
+            };
+            if let Some((argument, degree)) = (1..=count).map(|argument| (argument, degree_in(argument))).find(|found| found.1 > 1) {
+                defects.push(PolarDefect::NotAffine { coordinate, group, argument, degree });
             }
+            // Neighbouring transpositions generate all of them.
+            for first in 1..count {
+                let exchanged = (1..=dimension).fold(claimed.clone(), |form, axis| {
+                    form.swap(reading.symbol(group, first, axis), reading.symbol(group, first + 1, axis))
+                });
+                if exchanged != *claimed {
+                    let difference = &exchanged - claimed;
+                    defects.push(PolarDefect::NotSymmetric { coordinate, group, arguments: (first, first + 1), difference });
+                    break;
+                }
+            }
+            let own = &variables[used..used + dimension];
+            used += dimension;
+            diagonal.extend((1..=count).flat_map(|argument| {
+                own.iter().zip(1..).map(move |(&variable, axis)| (reading.symbol(group, argument, axis), Polynomial::from(variable)))
+            }));
         }
-        let t = Polynomial::from(variable);
-        let replacements: Vec<(Symbol, Polynomial)> = arguments.map(|index| (polar_symbol(index), t.clone())).collect();
-        let diagonal = claimed.substitute_all(&replacements);
-        let coefficients: Vec<Polynomial> = curve.coordinate(coordinate).cloned().collect();
-        let difference = &diagonal - &Polynomial::from_coefficients(variable, &coefficients);
+        let difference = &claimed.substitute_all(&diagonal) - map;
         if !difference.is_empty() {
             defects.push(PolarDefect::WrongDiagonal { coordinate, difference });
         }

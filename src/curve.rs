@@ -1,17 +1,19 @@
 //! Polynomial curves by their equations.
 
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 
 use crate::affine::{AffineMap, Interval, Parameter};
 use crate::blossom::PolarForm;
+use crate::control::{ControlNet, Data, change_frame};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::kernel::layout::Layout;
-use crate::kernel::reframe::Reframe;
 use crate::kernel::shape::Shape;
-use crate::kernel::task::{ChangeFrame, SymmetricSum, Value};
+use crate::kernel::task::{SymmetricSum, Value};
+use crate::reading::Reading;
 use crate::segment::Segment;
+use crate::symbolic::{Polynomial, Symbol};
 
 /// A polynomial map `F(t) = F_0 + F_1 t + … + F_m t^m` from the line into a
 /// space of any dimension, with a polar degree `m` that is at least the degree
@@ -108,6 +110,12 @@ impl<C: Coefficient> Curve<C> {
         self.coefficients[index..].iter().step_by(self.dimension)
     }
 
+    /// The coordinates as polynomials in a variable.
+    pub(crate) fn polynomials(&self, variable: Symbol) -> Vec<Polynomial> {
+        let coordinate = |index| self.coordinate(index).map(|c| c.clone().into()).collect::<Vec<Polynomial>>();
+        (0..self.dimension).map(|index| Polynomial::from_coefficients(variable, &coordinate(index))).collect()
+    }
+
     /// The same map with another polar degree.
     ///
     /// # Errors
@@ -126,7 +134,7 @@ impl<C: Coefficient> Curve<C> {
     /// arguments, that agrees with the curve where they are all equal.
     #[must_use]
     pub fn polar(&self) -> PolarForm<C> {
-        PolarForm::of(self)
+        PolarForm::new(Reading::Curve(self.degree), self.dimension, &self.coefficients)
     }
 
     /// The polar value `f(t_1, …, t_m)`.
@@ -158,12 +166,12 @@ impl<C: Coefficient> Curve<C> {
         for (t, w) in arguments {
             let (t, t_scale) = t.fraction();
             if w.is_unit() {
-                parameters.push(t);
                 parameters.push(t_scale.clone());
+                parameters.push(t);
             } else {
                 let (w, w_scale) = w.fraction();
-                parameters.push(t.times(&w_scale));
                 parameters.push(w.times(&t_scale));
+                parameters.push(t.times(&w_scale));
                 divisors.push(w_scale);
             }
             divisors.push(t_scale);
@@ -171,7 +179,7 @@ impl<C: Coefficient> Curve<C> {
         extend_by_multiples(&mut parameters, self.degree);
         // The first multiple is the common one.
         let constant = parameters[2 * self.degree].clone();
-        let task = SymmetricSum { degree: self.degree, dimension: self.dimension };
+        let task = SymmetricSum { shape: Shape::curve(self.degree, self.dimension) };
         let layout = Layout { divisors, ..self.point_layout(constant) };
         Ok(C::compute(&task, &self.coefficients, &parameters, &[layout]))
     }
@@ -182,8 +190,8 @@ impl<C: Coefficient> Curve<C> {
         let (numerator, scale) = t.fraction();
         let mut constant = C::unit();
         (0..self.degree).for_each(|_| constant.multiply(&scale));
-        let task = Value { degree: self.degree, dimension: self.dimension };
-        C::compute(&task, &self.coefficients, &[numerator, scale], &[self.point_layout(constant)])
+        let task = Value { shape: Shape::curve(self.degree, self.dimension) };
+        C::compute(&task, &self.coefficients, &[scale, numerator], &[self.point_layout(constant)])
     }
 
     fn point_layout(&self, constant: C) -> Layout<C> {
@@ -212,15 +220,9 @@ impl<C: Coefficient> Curve<C> {
     /// # Errors
     /// None for a frame of numbers or symbols; the result is checked like any other.
     pub fn segment(&self, frame: &Interval<C>) -> Result<Segment<C>, Error> {
-        let ((r, r_scale), (s, s_scale)) = (frame.r().fraction(), frame.s().fraction());
-        let rows = smallvec![r_scale.clone(), r, s_scale.clone(), s];
-        let (reframe, parameters) =
-            Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame(format!("the frame {frame} is degenerate")))?;
         let shape = Shape::curve(self.degree, self.dimension);
-        let scales = smallvec![r_scale, s_scale];
-        let layout = Layout { shape: shape.clone(), scales, multinomial: true, constant: C::unit(), divisors: SmallVec::new() };
-        let task = ChangeFrame { shape: shape.clone(), reframe, from_form: true };
-        Ok(Segment::from_net(shape, C::compute(&task, &self.coefficients, &parameters, &[layout]), frame.clone()))
+        let coordinates = change_frame(&shape, (Data::Equation, &self.coefficients), [frame.vertices()], Data::Net)?;
+        Ok(Segment::from_net(ControlNet { shape, coordinates }, frame.clone()))
     }
 
     /// The image under an affine map.

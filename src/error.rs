@@ -15,6 +15,13 @@ pub enum Error {
         /// The largest degree of the coordinates.
         needed: usize,
     },
+    /// The bidegree asked for is below the degree of the polynomials in a variable.
+    BidegreeTooLow {
+        /// The bidegree that was asked for.
+        asked: (usize, usize),
+        /// The largest degree of the coordinates in each variable.
+        needed: (usize, usize),
+    },
     /// A list has the wrong length.
     WrongCount {
         /// What the list holds, in the plural: "arguments", "coordinates".
@@ -43,7 +50,7 @@ impl Error {
     pub fn code(&self) -> &'static str {
         match self {
             Self::DegenerateFrame(_) => "degenerate-frame",
-            Self::DegreeTooLow { .. } => "degree-too-low",
+            Self::DegreeTooLow { .. } | Self::BidegreeTooLow { .. } => "degree-too-low",
             Self::WrongCount { .. } => "wrong-count",
             Self::WrongShape(_) => "wrong-shape",
             Self::Unsupported(_) => "unsupported",
@@ -59,6 +66,11 @@ impl fmt::Display for Error {
             Self::DegreeTooLow { asked, needed } => {
                 write!(f, "polar degree {asked} is too low: a coordinate has degree {needed}; ask for {needed} or more")
             }
+            Self::BidegreeTooLow { asked, needed } => write!(
+                f,
+                "bidegree {},{} is too low: the coordinates have degrees up to {} and {} in the two variables; ask for {},{} or more",
+                asked.0, asked.1, needed.0, needed.1, needed.0, needed.1
+            ),
             Self::WrongCount { what, expected, found } => write!(f, "expected {expected} {what}, found {found}"),
             Self::TooLarge { what, limit } => write!(f, "the {what} is beyond the limit of {limit}"),
         }

@@ -50,9 +50,11 @@ mod affine;
 #[cfg(feature = "cli")]
 pub mod batch;
 mod bernstein;
+mod bilinear;
 mod blossom;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod control;
 mod curve;
 pub mod draw;
 mod error;
@@ -64,27 +66,38 @@ mod matrix;
 #[cfg(feature = "cli")]
 pub mod model;
 pub mod ops;
+mod reading;
+mod rectangular;
 pub mod report;
 mod roots;
 mod scheme;
 mod segment;
+mod surface;
 mod symbolic;
 pub mod syntax;
+mod tetrahedron;
+mod triangular;
 pub mod value;
 
-pub use affine::{AffineMap, Interval, Parameter};
+pub use affine::{AffineMap, Interval, Parameter, Place, PlaneParameter, Rectangle, Triangle};
 pub use bernstein::Bernstein;
-pub use blossom::{PolarDefect, PolarForm, check_polar_form, polar_symbol, sigma, symmetric_terms};
+pub use bilinear::{CommonSteps, TwoSteps};
+pub use blossom::{PolarDefect, PolarForm, check_polar_form, sigma};
 pub use curve::Curve;
 pub use error::Error;
 pub use exact::{MAX_DIGITS, ParseNumberError, Rational};
 pub use flatness::Flattening;
 pub use hull::{ConvexHull, bounding_box};
 pub use kernel::coefficient::Coefficient;
+pub use reading::{PolarTerm, Reading};
+pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, bidegree_label};
 pub use roots::{RealRoots, Root, RootPlace};
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
+pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};
+pub use tetrahedron::TriangularScheme;
+pub use triangular::{Quadrisection, TriangularPatch, TriangularReduction, Trisection, triangular_degree};
 
 /// The library example of the README, run as a documentation test.
 #[cfg(doctest)]

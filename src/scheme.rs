@@ -1,14 +1,10 @@
 //! The triangular scheme of de Casteljau's algorithm.
 
-use smallvec::{SmallVec, smallvec};
-
 use crate::affine::{Interval, Parameter};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
-use crate::kernel::layout::Layout;
-use crate::kernel::shape::{Factor, Shape};
-use crate::kernel::task::Casteljau;
+use crate::kernel::shape::Factor;
 use crate::segment::Segment;
 
 /// All polar values `b_{i,j} = f(t^j r^{m-i-j} s^i)` of a segment at one
@@ -40,18 +36,8 @@ pub struct Scheme<C = Rational> {
 impl<C: Coefficient> Scheme<C> {
     pub(crate) fn of(segment: &Segment<C>, t: &C) -> Result<Self, Error> {
         let (degree, dimension) = (segment.degree(), segment.dimension());
-        let found = segment.frame().weights(&Parameter::from(t.clone()))?;
         // The scheme of a line is a triangle with vertices r, t, s.
-        let shape = Shape { factors: smallvec![Factor { dimension: 2, degree }], stride: dimension };
-        let layout = Layout {
-            shape,
-            scales: smallvec![C::unit(), found.scale, C::unit()],
-            multinomial: false,
-            constant: C::unit(),
-            divisors: SmallVec::new(),
-        };
-        let task = Casteljau { shape: segment.shape().clone() };
-        let coordinates = C::compute(&task, segment.coordinates(), &found.weights, &[layout]);
+        let coordinates = segment.net().scheme(0, &segment.frame().weights(&Parameter::from(t.clone()))?).coordinates;
         Ok(Self { degree, dimension, frame: segment.frame().clone(), parameter: t.clone(), coordinates })
     }
 

@@ -3,14 +3,14 @@
 use smallvec::{SmallVec, smallvec};
 
 use crate::affine::{AffineMap, Interval, Parameter};
+use crate::control::ControlNet;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::kernel::layout::Layout;
-use crate::kernel::reframe::Reframe;
 use crate::kernel::shape::Shape;
-use crate::kernel::task::{ChangeDegree, ChangeFrame, PolarValue, Product, Split};
+use crate::kernel::task::Split;
 use crate::scheme::{Scheme, polar_label};
 
 /// A polynomial curve over a frame `(r, s)`, given by its control points
@@ -33,9 +33,7 @@ use crate::scheme::{Scheme, polar_label};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Segment<C = Rational> {
-    shape: Shape,
-    /// The coordinates of `b_0`, then those of `b_1`, ….
-    coordinates: Vec<C>,
+    net: ControlNet<C>,
     frame: Interval<C>,
 }
 
@@ -68,7 +66,7 @@ impl<C: Coefficient> Segment<C> {
                 coordinates.len()
             )));
         }
-        Ok(Self { shape: Shape::curve(coordinates.len() / dimension - 1, dimension), coordinates, frame })
+        Ok(Self { net: ControlNet { shape: Shape::curve(coordinates.len() / dimension - 1, dimension), coordinates }, frame })
     }
 
     /// The segment with these control points.
@@ -77,26 +75,20 @@ impl<C: Coefficient> Segment<C> {
     /// [`Error::WrongShape`] if there is no point, a point without coordinates,
     /// or points of different dimensions.
     pub fn from_points(points: Vec<Vec<C>>, frame: Interval<C>) -> Result<Self, Error> {
-        let dimension = points.first().map_or(0, Vec::len);
-        if let Some(odd) = points.iter().position(|point| point.len() != dimension) {
-            return Err(Error::WrongShape(format!(
-                "point {odd} has {} coordinates, point 0 has {dimension}: all must have the same number",
-                points[odd].len()
-            )));
-        }
-        Self::new(dimension, points.into_iter().flatten().collect(), frame)
+        let degree = points.len().saturating_sub(1);
+        Ok(Self { net: ControlNet::from_points(|dimension| Shape::curve(degree, dimension), points)?, frame })
     }
 
     /// The polar degree: one less than the number of control points.
     #[must_use]
     pub fn degree(&self) -> usize {
-        self.shape.factors[0].degree
+        self.net.shape.factors[0].degree
     }
 
     /// The number of coordinates.
     #[must_use]
     pub fn dimension(&self) -> usize {
-        self.shape.stride
+        self.net.dimension()
     }
 
     /// The frame.
@@ -108,7 +100,7 @@ impl<C: Coefficient> Segment<C> {
     /// The coordinates of all control points, point by point.
     #[must_use]
     pub fn coordinates(&self) -> &[C] {
-        &self.coordinates
+        &self.net.coordinates
     }
 
     /// The control point `b_i`.
@@ -117,7 +109,7 @@ impl<C: Coefficient> Segment<C> {
     /// If `index` is larger than the polar degree.
     #[must_use]
     pub fn point(&self, index: usize) -> &[C] {
-        &self.coordinates[index * self.dimension()..(index + 1) * self.dimension()]
+        self.net.point(index)
     }
 
     /// The polar label of the control point `b_i`, such as `f(r,r,s)`.
@@ -131,17 +123,17 @@ impl<C: Coefficient> Segment<C> {
 
     /// The control points in order.
     pub fn points(&self) -> impl DoubleEndedIterator<Item = &[C]> + ExactSizeIterator + Clone {
-        self.coordinates.chunks_exact(self.dimension())
+        self.net.points()
     }
 
-    /// The segment with so many coordinates as the shape says.
-    pub(crate) fn from_net(shape: Shape, coordinates: Vec<C>, frame: Interval<C>) -> Self {
-        debug_assert_eq!(coordinates.len(), shape.points() * shape.stride);
-        Self { shape, coordinates, frame }
+    /// The segment with this control polygon.
+    pub(crate) fn from_net(net: ControlNet<C>, frame: Interval<C>) -> Self {
+        debug_assert_eq!(net.coordinates.len(), net.shape.points() * net.shape.stride);
+        Self { net, frame }
     }
 
-    fn rebuilt(&self, degree: usize, coordinates: Vec<C>, frame: Interval<C>) -> Self {
-        Self { shape: self.shape.with_degree(0, degree), coordinates, frame }
+    pub(crate) fn net(&self) -> &ControlNet<C> {
+        &self.net
     }
 
     /// The equation of the curve.
@@ -149,29 +141,8 @@ impl<C: Coefficient> Segment<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn curve(&self) -> Result<Curve<C>, Error> {
-        Ok(Curve::from_vectors(self.dimension(), self.over_origin_and_direction()?))
-    }
-
-    /// The coefficients `F_0, …, F_m`: the form over the origin and the direction.
-    fn over_origin_and_direction(&self) -> Result<Vec<C>, Error> {
-        let origin = Parameter::from(C::nothing());
-        self.change_frame(&[origin, Parameter::direction()], false)
-    }
-
-    /// The entries over new vertices, divided by their multinomial numbers or not.
-    fn change_frame(&self, vertices: &[Parameter<C>; 2], multinomial: bool) -> Result<Vec<C>, Error> {
-        let [first, second] = [self.frame.weights(&vertices[0])?, self.frame.weights(&vertices[1])?];
-        let rows = first.weights.into_iter().chain(second.weights).collect();
-        let (reframe, parameters) = Reframe::new(0, 2, rows).ok_or_else(|| Error::DegenerateFrame("the new frame is degenerate".into()))?;
-        let layout = Layout {
-            shape: self.shape.clone(),
-            scales: smallvec![first.scale, second.scale],
-            multinomial,
-            constant: C::unit(),
-            divisors: SmallVec::new(),
-        };
-        let task = ChangeFrame { shape: self.shape.clone(), reframe, from_form: false };
-        Ok(C::compute(&task, &self.coordinates, &parameters, &[layout]))
+        let [origin, direction] = [Parameter::from(C::nothing()), Parameter::direction()].map(|vertex| self.frame.weights(&vertex));
+        Ok(Curve::from_vectors(self.dimension(), self.net.equation([[origin?, direction?].into_iter().collect()])?))
     }
 
     /// The control points over another frame: the polar values at its vertices.
@@ -183,8 +154,8 @@ impl<C: Coefficient> Segment<C> {
             // Replacing vertices directly would divide by a symbolic weight.
             return self.curve()?.segment(frame);
         }
-        let vertices = [frame.r(), frame.s()].map(|vertex| Parameter::from(vertex.clone()));
-        Ok(self.rebuilt(self.degree(), self.change_frame(&vertices, true)?, frame.clone()))
+        let [r, s] = [frame.r(), frame.s()].map(|vertex| self.frame.weights(&Parameter::from(vertex.clone())));
+        Ok(Self { net: self.net.over([[r?, s?].into_iter().collect()])?, frame: frame.clone() })
     }
 
     /// The polar value `f(t_1, …, t_m)`: one step of de Casteljau's algorithm
@@ -207,15 +178,8 @@ impl<C: Coefficient> Segment<C> {
         if arguments.len() != self.degree() {
             return Err(Error::WrongCount { what: "polar arguments", expected: self.degree(), found: arguments.len() });
         }
-        let mut divisors = SmallVec::new();
-        let mut parameters = Vec::with_capacity(2 * arguments.len());
-        for argument in arguments {
-            let found = self.frame.weights(argument)?;
-            parameters.extend(found.weights);
-            divisors.push(found.scale);
-        }
-        let layout = Layout { divisors, ..Layout::constant(Shape::curve(0, self.dimension()), C::unit()) };
-        Ok(C::compute(&PolarValue { shape: self.shape.clone() }, &self.coordinates, &parameters, &[layout]))
+        let arguments = arguments.iter().map(|argument| self.frame.weights(argument)).collect::<Result<_, _>>()?;
+        Ok(self.net.polar_value(&[arguments]).coordinates)
     }
 
     /// The point `F(t)`, for any `t`, inside the frame or not.
@@ -232,10 +196,6 @@ impl<C: Coefficient> Segment<C> {
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn scheme(&self, t: &C) -> Result<Scheme<C>, Error> {
         Scheme::of(self, t)
-    }
-
-    pub(crate) fn shape(&self) -> &Shape {
-        &self.shape
     }
 
     /// The control points over `(r, t)` and over `(t, s)`.
@@ -256,12 +216,13 @@ impl<C: Coefficient> Segment<C> {
         let left = Interval::new(self.frame.r().clone(), t.clone())?;
         let right = Interval::new(t.clone(), self.frame.s().clone())?;
         let found = self.frame.weights(&Parameter::from(t.clone()))?;
-        let half =
-            |scales| Layout { shape: self.shape.clone(), scales, multinomial: false, constant: C::unit(), divisors: SmallVec::new() };
+        let shape = &self.net.shape;
+        let half = |scales| Layout { shape: shape.clone(), scales, multinomial: false, constant: C::unit(), divisors: SmallVec::new() };
         let layouts = [half(smallvec![C::unit(), found.scale.clone()]), half(smallvec![found.scale, C::unit()])];
-        let mut first = C::compute(&Split { shape: self.shape.clone() }, &self.coordinates, &found.weights, &layouts);
-        let second = first.split_off(self.coordinates.len());
-        Ok((self.rebuilt(self.degree(), first, left), self.rebuilt(self.degree(), second, right)))
+        let mut first = C::compute(&Split { shape: shape.clone() }, self.coordinates(), &found.weights, &layouts);
+        let second = first.split_off(self.coordinates().len());
+        let piece = |coordinates, frame| Self { net: ControlNet { shape: shape.clone(), coordinates }, frame };
+        Ok((piece(first, left), piece(second, right)))
     }
 
     /// The pieces of `depth` rounds of splitting in the middle, `2^depth` in order.
@@ -274,7 +235,7 @@ impl<C: Coefficient> Segment<C> {
         if depth > Self::MAX_DEPTH {
             return Err(Error::TooLarge { what: "depth of subdivision", limit: Self::MAX_DEPTH });
         }
-        let steps = (self.coordinates.len() << depth).saturating_mul(self.degree() + 1);
+        let steps = (self.coordinates().len() << depth).saturating_mul(self.degree() + 1);
         if steps > Self::MAX_SUBDIVISION {
             return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit: Self::MAX_SUBDIVISION });
         }
@@ -305,13 +266,7 @@ impl<C: Coefficient> Segment<C> {
     /// remark on polar degrees; Farin, *Curves and Surfaces for CAGD*, degree elevation).
     #[must_use]
     pub fn elevate(&self, by: usize) -> Self {
-        self.with_known_degree(self.degree() + by)
-    }
-
-    fn with_known_degree(&self, degree: usize) -> Self {
-        let task = ChangeDegree { shape: self.shape.clone(), degree };
-        let layout = Layout::form(self.shape.with_degree(0, degree));
-        self.rebuilt(degree, C::compute(&task, &self.coordinates, &[], &[layout]), self.frame.clone())
+        Self { net: self.net.with_degree(0, self.degree() + by), frame: self.frame.clone() }
     }
 
     /// The same map with as few control points as it can have.
@@ -324,7 +279,7 @@ impl<C: Coefficient> Segment<C> {
         Ok(Reduction {
             true_degree,
             zero: true_degree == 0 && curve.vector(0).iter().all(C::is_nothing),
-            segment: self.with_known_degree(true_degree),
+            segment: Self { net: self.net.with_degree(0, true_degree), frame: self.frame.clone() },
         })
     }
 
@@ -335,15 +290,14 @@ impl<C: Coefficient> Segment<C> {
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn derivative(&self) -> Result<Self, Error> {
         let degree = self.degree();
-        if degree == 0 {
-            return Ok(self.rebuilt(0, vec![C::nothing(); self.dimension()], self.frame.clone()));
+        let mut net = ControlNet { shape: Shape::curve(0, self.dimension()), coordinates: vec![C::nothing(); self.dimension()] };
+        if degree > 0 {
+            // One argument is the direction.
+            net = self.net.polar_value(&[vec![self.frame.weights(&Parameter::direction())?]]);
+            let factor = C::from(Rational::from(degree as i64));
+            net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&factor));
         }
-        let length = self.frame.s().minus(self.frame.r());
-        let factor = C::from(Rational::from(degree as i64))
-            .over(&length)
-            .ok_or_else(|| Error::Unsupported(format!("the derivative divides by {length}, which must be a number")))?;
-        let differences = self.coordinates.iter().zip(&self.coordinates[self.dimension()..]).map(|(a, b)| b.minus(a).times(&factor));
-        Ok(self.rebuilt(degree - 1, differences.collect(), self.frame.clone()))
+        Ok(Self { net, frame: self.frame.clone() })
     }
 
     /// The product with another segment over the same frame: coordinate by
@@ -355,16 +309,7 @@ impl<C: Coefficient> Segment<C> {
         if self.frame != other.frame {
             return Err(Error::WrongShape("a product needs both segments over the same frame; reframe one of them first".into()));
         }
-        let (a, b) = (self.dimension(), other.dimension());
-        if a != b && a != 1 && b != 1 {
-            return Err(Error::WrongShape(format!("a product needs equal dimensions, or one that is 1; found {a} and {b}")));
-        }
-        let (parameters, constant) = C::clear(&other.coordinates);
-        let shape = Shape::curve(self.degree() + other.degree(), a.max(b));
-        let layout = Layout { constant, ..Layout::form(shape.clone()) };
-        let task = Product { first: self.shape.clone(), second: other.shape.clone() };
-        let coordinates = C::compute(&task, &self.coordinates, &parameters, &[layout]);
-        Ok(Self { shape, coordinates, frame: self.frame.clone() })
+        Ok(Self { net: self.net.product(&other.net)?, frame: self.frame.clone() })
     }
 
     /// The image under an affine map: its control points are the images of the control points.
@@ -372,8 +317,7 @@ impl<C: Coefficient> Segment<C> {
     /// # Errors
     /// [`Error::WrongCount`] if the map takes points of another dimension.
     pub fn transform(&self, map: &AffineMap<C>) -> Result<Self, Error> {
-        let points = self.points().map(|point| map.apply(point)).collect::<Result<Vec<_>, _>>()?;
-        Self::from_points(points, self.frame.clone())
+        Ok(Self { net: self.net.transform(map)?, frame: self.frame.clone() })
     }
 
     /// Whether two segments are pieces of the same polynomial map, whatever

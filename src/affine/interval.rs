@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Parameter;
+use super::{Parameter, Vertices, Weights};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -21,13 +21,6 @@ use crate::kernel::coefficient::Coefficient;
 pub struct Interval<C = Rational> {
     r: C,
     s: C,
-}
-
-/// An argument as a combination of the vertices of a frame, cleared of
-/// denominators: `scale · x = weights[0] · r + weights[1] · s`.
-pub(crate) struct Weights<C> {
-    pub(crate) weights: [C; 2],
-    pub(crate) scale: C,
 }
 
 impl<C: Coefficient> Interval<C> {
@@ -89,12 +82,12 @@ impl<C: Coefficient> Interval<C> {
         let symbolic =
             || Error::Unsupported(format!("dividing by {length} needs a number: give the frame {}..{} numeric ends", self.r, self.s));
         let first = w.times(&self.s).minus(t).over(&length).ok_or_else(symbolic)?;
-        let ((a, a_scale), (b, b_scale)) = (first.fraction(), w.minus(&first).fraction());
-        Ok(if a_scale == b_scale {
-            Weights { weights: [a, b], scale: a_scale }
-        } else {
-            Weights { weights: [a.times(&b_scale), b.times(&a_scale)], scale: a_scale.times(&b_scale) }
-        })
+        Ok(Weights::of_pair(&first, &w.minus(&first)))
+    }
+
+    /// The vertices as integer points of the homogeneous line.
+    pub(crate) fn vertices(&self) -> Vertices<C> {
+        [&self.r, &self.s].into_iter().map(Weights::of_number).collect()
     }
 }
 

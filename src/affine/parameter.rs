@@ -1,4 +1,4 @@
-//! Homogeneous arguments of a curve's polar form.
+//! Homogeneous arguments of polar forms.
 
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -36,5 +36,38 @@ impl<C: Coefficient> Parameter<C> {
 impl<C: Coefficient> From<C> for Parameter<C> {
     fn from(t: C) -> Self {
         Self { t, w: C::unit() }
+    }
+}
+
+/// An argument of the polar form of a surface by its total degree: the point
+/// `(u, v)` of the parameter plane where the weight is 1, the direction
+/// `(u, v)` where the weight is 0, in general the homogeneous `[w; u, v]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlaneParameter<C = Rational> {
+    /// The first coordinate.
+    pub u: C,
+    /// The second coordinate.
+    pub v: C,
+    /// The weight.
+    pub w: C,
+}
+
+impl<C: Coefficient> PlaneParameter<C> {
+    /// The homogeneous argument `[w; u, v]`.
+    #[must_use]
+    pub fn homogeneous(w: C, u: C, v: C) -> Self {
+        Self { u, v, w }
+    }
+
+    /// The point `(u, v)`.
+    #[must_use]
+    pub fn point([u, v]: [C; 2]) -> Self {
+        Self { u, v, w: C::unit() }
+    }
+
+    /// The vector `(u, v)`, a direction of differentiation.
+    #[must_use]
+    pub fn vector([u, v]: [C; 2]) -> Self {
+        Self { u, v, w: C::nothing() }
     }
 }

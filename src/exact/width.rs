@@ -8,6 +8,7 @@
 
 use num_bigint::{BigInt, Sign};
 use num_traits::{One, Zero};
+use smallvec::SmallVec;
 
 use super::magnitude::Magnitude;
 
@@ -50,6 +51,18 @@ pub trait Ring: Clone {
     fn from_word(value: i64) -> Self;
     /// A bound of an integer. (Other elements have no use for one.)
     fn magnitude(&self) -> Magnitude;
+}
+
+/// The powers `1, base, …, base^degree`.
+pub(crate) fn powers<R: Ring>(base: &R, degree: usize) -> SmallVec<[R; 16]> {
+    let mut powers = SmallVec::with_capacity(degree + 1);
+    let mut power = R::unit();
+    for _ in 0..degree {
+        powers.push(power.clone());
+        power.multiply(base);
+    }
+    powers.push(power);
+    powers
 }
 
 /// The integers of one width.

@@ -9,7 +9,7 @@ use super::shape::Shape;
 use crate::exact::Rational;
 use crate::exact::gcd::{gcd_big, gcd_u64};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Integer;
+use crate::exact::width::{Integer, powers};
 
 #[inline]
 pub(crate) fn magnitude_of_integer(value: &Rational) -> Magnitude {
@@ -130,18 +130,6 @@ fn integer_of_big<R: Integer>(value: &Rational) -> R {
     R::from_big(&value.numer())
 }
 
-/// The powers `1, base, …, base^degree`.
-fn powers<R: Integer>(base: R, degree: usize) -> SmallVec<[R; 16]> {
-    let mut powers = SmallVec::with_capacity(degree + 1);
-    let mut power = R::unit();
-    for _ in 0..degree {
-        powers.push(power.clone());
-        power.multiply(&base);
-    }
-    powers.push(power);
-    powers
-}
-
 /// The degree at every vertex of a shape, factor by factor.
 fn vertex_degrees(shape: &Shape) -> impl Iterator<Item = usize> {
     shape.factors.iter().flat_map(|factor| std::iter::repeat_n(factor.degree, factor.dimension + 1))
@@ -169,7 +157,7 @@ impl LongDenominators {
                 .divisors
                 .iter()
                 .fold(integer::<BigInt>(&layout.constant) * common.to_big(), |constant, divisor| constant * integer::<BigInt>(divisor)),
-            powers: scales().zip(vertex_degrees(&layout.shape)).map(|(scale, degree)| powers(scale, degree)).collect(),
+            powers: scales().zip(vertex_degrees(&layout.shape)).map(|(scale, degree)| powers(&scale, degree)).collect(),
             multinomials: layout.multinomials(),
             radical: u64::try_from(radical).ok(),
         }

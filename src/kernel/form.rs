@@ -8,7 +8,7 @@
 use smallvec::SmallVec;
 
 use super::shape::{Factor, Shape};
-use crate::exact::width::Ring;
+use crate::exact::width::{Ring, powers};
 
 /// A map in the homogeneous coordinates of its frame's vertices.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,13 +68,7 @@ impl<R: Ring> Form<R> {
     fn with_powers_of_simplex(&mut self, factor: usize, vertex: usize, weight: &R, apply: impl Fn(&mut R, &R)) {
         let simplex = self.shape.factors[factor];
         let (outer, inner) = self.shape.blocks(factor);
-        let mut powers: SmallVec<[R; 16]> = SmallVec::with_capacity(simplex.degree + 1);
-        powers.push(R::unit());
-        for exponent in 1..=simplex.degree {
-            let mut power = powers[exponent - 1].clone();
-            power.multiply(weight);
-            powers.push(power);
-        }
+        let powers = powers(weight, simplex.degree);
         let mut entries = self.entries.chunks_exact_mut(inner);
         for _ in 0..outer {
             simplex.for_each(|exponents| {
@@ -169,22 +163,58 @@ impl<R: Ring> Form<R> {
         self.shape.factors[0].degree -= 1;
     }
 
-    /// The product of two curves, coordinate by coordinate; a curve with one
-    /// coordinate multiplies every coordinate of the other.
+    /// The product of two maps over the same vertices, coordinate by
+    /// coordinate; a map with one coordinate multiplies every coordinate of the other.
     pub(crate) fn product(&self, other: &Self) -> Self {
-        let (m, n) = (self.shape.factors[0].degree, other.shape.factors[0].degree);
-        let stride = self.shape.stride.max(other.shape.stride);
-        let mut entries = vec![R::nothing(); (m + n + 1) * stride];
-        for i in 0..=m {
-            for j in 0..=n {
-                for offset in 0..stride {
-                    let a = &self.entries[i * self.shape.stride + offset % self.shape.stride];
-                    let b = &other.entries[j * other.shape.stride + offset % other.shape.stride];
-                    entries[(i + j) * stride + offset].add_product(a, b);
-                }
-            }
+        let mut shape = self.shape.clone();
+        for (factor, more) in shape.factors.iter_mut().zip(&other.shape.factors) {
+            factor.degree += more.degree;
         }
-        Self { shape: Shape::curve(m + n, stride), entries }
+        let stride = self.shape.stride.max(other.shape.stride);
+        shape.stride = stride;
+        let mut entries = vec![R::nothing(); shape.points() * stride];
+        let mut firsts = self.entries.chunks_exact(self.shape.stride);
+        self.shape.for_each(|alpha| {
+            let Some(first) = firsts.next() else { return };
+            let mut seconds = other.entries.chunks_exact(other.shape.stride);
+            other.shape.for_each(|beta| {
+                let Some(second) = seconds.next() else { return };
+                let sum: SmallVec<[usize; 6]> = alpha.iter().zip(beta).map(|(a, b)| a + b).collect();
+                let place = shape.index(&sum) * stride;
+                for (offset, entry) in entries[place..place + stride].iter_mut().enumerate() {
+                    entry.add_product(&first[offset % first.len()], &second[offset % second.len()]);
+                }
+            });
+        });
+        Self { shape, entries }
+    }
+
+    /// The value where the vertices have these weights, one list of weights
+    /// after the other: the sum of all entries times their monomials.
+    pub(crate) fn value(&self, weights: &[R]) -> Vec<R> {
+        let mut tables: SmallVec<[SmallVec<[R; 16]>; 3]> = SmallVec::new();
+        let mut rest = weights;
+        for factor in &self.shape.factors {
+            let (own, others) = rest.split_at(factor.dimension + 1);
+            rest = others;
+            tables.extend(own.iter().map(|weight| powers(weight, factor.degree)));
+        }
+        let mut sums = vec![R::nothing(); self.shape.stride];
+        let mut entries = self.entries.chunks_exact(self.shape.stride);
+        self.shape.for_each(|exponents| {
+            let Some(entry) = entries.next() else { return };
+            if entry.iter().all(R::is_nothing) {
+                return;
+            }
+            let mut monomial = tables[0][exponents[0]].clone();
+            for (powers, &exponent) in tables.iter().zip(exponents).skip(1) {
+                monomial.multiply(&powers[exponent]);
+            }
+            for (sum, coefficient) in sums.iter_mut().zip(entry) {
+                sum.add_product(coefficient, &monomial);
+            }
+        });
+        sums
     }
 }
 

@@ -86,6 +86,16 @@ impl Reframe {
         Some((Self { factor, places, column: undone.then_some(column) }, rows))
     }
 
+    /// How many parameters go with the plan: a row for each new vertex, and its surplus.
+    pub(crate) fn parameter_count(&self) -> usize {
+        self.places.len() * (self.places.len() + 1)
+    }
+
+    /// The factor that is brought over.
+    pub(crate) fn factor(&self) -> usize {
+        self.factor
+    }
+
     /// The most that the change multiplies the sum of the absolute entries by.
     pub(crate) fn growth<R: Ring>(&self, degree: usize, parameters: &[R]) -> Magnitude {
         if let Some(column) = self.column {

@@ -97,6 +97,16 @@ impl Shape {
         Self { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree }]), stride }
     }
 
+    /// The shape of a triangular net of total degree `degree`.
+    pub(crate) fn triangle(degree: usize, stride: usize) -> Self {
+        Self { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree }]), stride }
+    }
+
+    /// The shape of a rectangular net of bidegree `(p, q)`.
+    pub(crate) fn rectangle(p: usize, q: usize, stride: usize) -> Self {
+        Self { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree: p }, Factor { dimension: 1, degree: q }]), stride }
+    }
+
     /// The number of points.
     #[inline]
     pub(crate) fn points(&self) -> usize {
@@ -114,6 +124,16 @@ impl Shape {
         }
         let count = |factors: &[Factor]| factors.iter().map(|factor| factor.count()).product::<usize>();
         (count(&self.factors[..factor]), count(&self.factors[factor + 1..]) * self.stride)
+    }
+
+    /// The place of the point with these exponents at all vertices of all factors.
+    pub(crate) fn index(&self, exponents: &[usize]) -> usize {
+        let mut rest = exponents;
+        self.factors.iter().fold(0, |index, factor| {
+            let (own, others) = rest.split_at(factor.dimension + 1);
+            rest = others;
+            index * factor.count() + factor.index(&own[1..])
+        })
     }
 
     pub(crate) fn with_degree(&self, factor: usize, degree: usize) -> Self {
@@ -175,6 +195,11 @@ mod tests {
             Shape { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree: 1 }, Factor { dimension: 1, degree: 2 }]), stride: 3 };
         let mut seen = Vec::new();
         shape.for_each(|exponents| seen.push((exponents[1], exponents[3])));
+        let mut next = 0;
+        shape.for_each(|exponents| {
+            assert_eq!(shape.index(exponents), next);
+            next += 1;
+        });
         assert_eq!(seen, [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)]);
         assert_eq!(shape.blocks(0), (1, 9));
         assert_eq!(shape.blocks(1), (2, 3));

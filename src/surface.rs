@@ -1,0 +1,467 @@
+//! Polynomial surfaces by their equations.
+
+use num_bigint::BigInt;
+use smallvec::SmallVec;
+
+use crate::affine::{AffineMap, Interval, Parameter, PlaneParameter, Rectangle, Triangle, Weights};
+use crate::blossom::PolarForm;
+use crate::control::{ControlNet, Data, change_frame, edge};
+use crate::error::Error;
+use crate::exact::Rational;
+use crate::exact::gcd::gcd_big;
+use crate::kernel::coefficient::Coefficient;
+use crate::kernel::layout::{Layout, multinomials};
+use crate::kernel::shape::Shape;
+use crate::kernel::task::{SymmetricSum, Value};
+use crate::reading::Reading;
+use crate::rectangular::RectangularPatch;
+use crate::segment::Segment;
+use crate::symbolic::{Monomial, Polynomial, Symbol};
+use crate::triangular::TriangularPatch;
+
+/// One term `c u^h v^k` of a coordinate: `(h, k, c)`.
+pub type Term<C = Rational> = (usize, usize, C);
+
+/// A polynomial map `F(u, v)` from the plane into a space of any dimension,
+/// together with the way it is read: by its total degree `m`, or by its
+/// bidegree `(p, q)`. The degrees are at least those of every coordinate.
+///
+/// ```
+/// use casteljau::{Rational, Surface, Triangle};
+/// // Enneper's surface (Gallier, section 19.1).
+/// let q = |n, d| Rational::new(n, d);
+/// let enneper = Surface::total(vec![
+///     vec![(1, 0, q(1, 1)), (3, 0, q(-1, 3)), (1, 2, q(1, 1))],
+///     vec![(0, 1, q(1, 1)), (0, 3, q(-1, 3)), (2, 1, q(1, 1))],
+///     vec![(2, 0, q(1, 1)), (0, 2, q(-1, 1))],
+/// ])?;
+/// let patch = enneper.over_triangle(&Triangle::standard())?;
+/// assert_eq!(patch.label(2, 1), "f(r,r,s)");
+/// assert_eq!(patch.point(2, 1), [q(2, 3), q(2, 3), q(1, 3)]);
+/// assert!(patch.surface()?.same_map(&enneper));
+/// # Ok::<(), casteljau::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface<C = Rational> {
+    reading: Reading,
+    dimension: usize,
+    /// The vectors `F_hk`, the second exponent running faster.
+    coefficients: Vec<C>,
+}
+
+impl<C: Coefficient> Surface<C> {
+    /// The most coefficients that a surface may have, zeros included.
+    pub const MAX_COEFFICIENTS: usize = 1 << 22;
+
+    /// The surface with these terms, one list a coordinate, read in some way.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if there is no coordinate or the reading is that of
+    /// a curve; [`Error::DegreeTooLow`] or [`Error::BidegreeTooLow`] if a term
+    /// is beyond it; [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn new(reading: Reading, coordinates: Vec<Vec<Term<C>>>) -> Result<Self, Error> {
+        let dimension = coordinates.len();
+        if dimension == 0 || matches!(reading, Reading::Curve(_)) {
+            return Err(Error::WrongShape("a surface needs at least one coordinate, and a total degree or a bidegree".into()));
+        }
+        let exponents = || coordinates.iter().flatten().filter(|(_, _, c)| !c.is_nothing()).map(|&(h, k, _)| (h, k));
+        check_reading(reading, exponents())?;
+        check_size(reading, dimension)?;
+        let mut surface = Self { reading, dimension, coefficients: vec![C::nothing(); reading.points() * dimension] };
+        for (position, terms) in coordinates.into_iter().enumerate() {
+            for (h, k, c) in terms.into_iter().filter(|(_, _, c)| !c.is_nothing()) {
+                let place = surface.place(h, k) * dimension + position;
+                surface.coefficients[place].add(&c);
+            }
+        }
+        Ok(surface)
+    }
+
+    /// The surface with these terms, read by the least total degree.
+    ///
+    /// # Errors
+    /// As for [`Surface::new`].
+    pub fn total(coordinates: Vec<Vec<Term<C>>>) -> Result<Self, Error> {
+        let degree = coordinates.iter().flatten().map(|&(h, k, _)| h + k).max().unwrap_or(0);
+        Self::new(Reading::Total(degree), coordinates)
+    }
+
+    /// The surface with these terms, read by the least bidegree.
+    ///
+    /// # Errors
+    /// As for [`Surface::new`].
+    pub fn tensor(coordinates: Vec<Vec<Term<C>>>) -> Result<Self, Error> {
+        let largest = |exponent: fn(&Term<C>) -> usize| coordinates.iter().flatten().map(exponent).max().unwrap_or(0);
+        let reading = Reading::Bidegree(largest(|term| term.0), largest(|term| term.1));
+        Self::new(reading, coordinates)
+    }
+
+    pub(crate) fn from_coefficients(reading: Reading, dimension: usize, coefficients: Vec<C>) -> Self {
+        debug_assert_eq!(coefficients.len(), reading.points() * dimension);
+        Self { reading, dimension, coefficients }
+    }
+
+    /// The same surface with every coefficient brought into another ring.
+    pub(crate) fn map<D: Coefficient, E>(&self, number: &mut impl FnMut(&C) -> Result<D, E>) -> Result<Surface<D>, E> {
+        let coefficients = self.coefficients.iter().map(number).collect::<Result<_, E>>()?;
+        Ok(Surface { reading: self.reading, dimension: self.dimension, coefficients })
+    }
+
+    fn shape(&self) -> Shape {
+        self.reading.shape(self.dimension)
+    }
+
+    /// The place of the coefficient of `u^h v^k`, which must be within the reading.
+    fn place(&self, h: usize, k: usize) -> usize {
+        match self.reading {
+            Reading::Total(m) => self.shape().index(&[m - h - k, h, k]),
+            Reading::Bidegree(_, q) => h * (q + 1) + k,
+            Reading::Curve(_) => h,
+        }
+    }
+
+    /// How it is read.
+    #[must_use]
+    pub fn reading(&self) -> Reading {
+        self.reading
+    }
+
+    /// The number of coordinates.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The exponents `(h, k)` of all coefficients in order, zeros included.
+    fn exponents(&self) -> Vec<(usize, usize)> {
+        let mut all = Vec::with_capacity(self.coefficients.len() / self.dimension);
+        let tensor = matches!(self.reading, Reading::Bidegree(..));
+        self.shape().for_each(|exponents| all.push(if tensor { (exponents[1], exponents[3]) } else { (exponents[1], exponents[2]) }));
+        all
+    }
+
+    /// The terms of a coordinate that are not zero, sorted by their exponents.
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
+    #[must_use]
+    pub fn terms(&self, coordinate: usize) -> Vec<Term<&C>> {
+        assert!(coordinate < self.dimension, "the surface has {} coordinates", self.dimension);
+        let own = self.coefficients[coordinate..].iter().step_by(self.dimension);
+        let terms = self.exponents().into_iter().zip(own);
+        terms.filter(|(_, c)| !c.is_nothing()).map(|((h, k), c)| (h, k, c)).collect()
+    }
+
+    /// The coordinates as polynomials in two variables.
+    pub(crate) fn polynomials(&self, variables: [Symbol; 2]) -> Vec<Polynomial> {
+        let product = |h: usize, k: usize| &Monomial::power(variables[0], h as u32) * &Monomial::power(variables[1], k as u32);
+        let coordinate = |index| {
+            let terms = self.terms(index).into_iter().flat_map(|(h, k, c)| {
+                let c: Polynomial = c.clone().into();
+                c.terms().map(|(monomial, number)| (monomial * &product(h, k), number.clone())).collect::<Vec<_>>()
+            });
+            Polynomial::from_terms(terms)
+        };
+        (0..self.dimension).map(coordinate).collect()
+    }
+
+    /// All coefficients, zeros included.
+    pub(crate) fn coefficients(&self) -> &[C] {
+        &self.coefficients
+    }
+
+    /// The exponents of all terms that are not zero, in any coordinate.
+    fn support(&self) -> impl Iterator<Item = (usize, usize)> {
+        let vectors = self.coefficients.chunks_exact(self.dimension);
+        self.exponents().into_iter().zip(vectors).filter(|(_, vector)| vector.iter().any(|c| !c.is_nothing())).map(|(place, _)| place)
+    }
+
+    /// The largest total degree of the coordinates; 0 for constants.
+    #[must_use]
+    pub fn true_total_degree(&self) -> usize {
+        self.support().map(|(h, k)| h + k).max().unwrap_or(0)
+    }
+
+    /// The largest degree of the coordinates in each variable.
+    #[must_use]
+    pub fn true_bidegree(&self) -> (usize, usize) {
+        self.support().fold((0, 0), |(p, q), (h, k)| (p.max(h), q.max(k)))
+    }
+
+    /// Whether all coordinates vanish identically.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.coefficients.iter().all(C::is_nothing)
+    }
+
+    /// The same map read in another way.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooLow`] or [`Error::BidegreeTooLow`] if a coordinate has
+    /// a higher degree; [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn read_as(&self, reading: Reading) -> Result<Self, Error> {
+        if reading == self.reading {
+            return Ok(self.clone());
+        }
+        let lists = (0..self.dimension).map(|index| self.terms(index).into_iter().map(|(h, k, c)| (h, k, c.clone())).collect()).collect();
+        Self::new(reading, lists)
+    }
+
+    /// The same map read by a total degree: `p + q` for a bidegree `(p, q)`.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn by_total_degree(&self) -> Result<Self, Error> {
+        match self.reading {
+            Reading::Bidegree(p, q) => self.read_as(Reading::Total(p + q)),
+            _ => Ok(self.clone()),
+        }
+    }
+
+    /// The same map read by a bidegree: `(m, m)` for a total degree `m`.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn by_bidegree(&self) -> Result<Self, Error> {
+        match self.reading {
+            Reading::Total(m) => self.read_as(Reading::Bidegree(m, m)),
+            _ => Ok(self.clone()),
+        }
+    }
+
+    /// The polar form in the way the surface is read.
+    #[must_use]
+    pub fn polar(&self) -> PolarForm<C> {
+        PolarForm::new(self.reading, self.dimension, &self.coefficients)
+    }
+
+    /// The polar value at `m` points or vectors of the plane, if the surface is
+    /// read by its total degree `m`.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] for another number of arguments;
+    /// [`Error::WrongShape`] if it is read by its bidegree.
+    pub fn blossom(&self, arguments: &[PlaneParameter<C>]) -> Result<Vec<C>, Error> {
+        let Reading::Total(degree) = self.reading else {
+            return Err(Error::WrongShape("this surface is read by its bidegree: its polar form takes two groups of numbers".into()));
+        };
+        if arguments.len() != degree {
+            return Err(Error::WrongCount { what: "polar arguments", expected: degree, found: arguments.len() });
+        }
+        let weights = arguments.iter().map(|PlaneParameter { u, v, w }| Weights::of(&[w.clone(), u.clone(), v.clone()]));
+        Ok(self.polar_value(weights))
+    }
+
+    /// The polar value at `p` arguments for the first and `q` for the second
+    /// variable, if the surface is read by its bidegree `(p, q)`.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] for another number of arguments;
+    /// [`Error::WrongShape`] if it is read by its total degree.
+    pub fn blossom_bidegree(&self, us: &[Parameter<C>], vs: &[Parameter<C>]) -> Result<Vec<C>, Error> {
+        let Reading::Bidegree(p, q) = self.reading else {
+            return Err(Error::WrongShape("this surface is read by its total degree: its polar form takes points of the plane".into()));
+        };
+        for (what, expected, found) in
+            [("polar arguments of the first variable", p, us.len()), ("polar arguments of the second variable", q, vs.len())]
+        {
+            if expected != found {
+                return Err(Error::WrongCount { what, expected, found });
+            }
+        }
+        Ok(self.polar_value(us.iter().chain(vs).map(|Parameter { t, w }| Weights::of_pair(w, t))))
+    }
+
+    fn polar_value(&self, arguments: impl Iterator<Item = Weights<C>>) -> Vec<C> {
+        let mut divisors: SmallVec<[C; 4]> = SmallVec::new();
+        let mut parameters = Vec::new();
+        for argument in arguments {
+            parameters.extend(argument.weights);
+            divisors.push(argument.scale);
+        }
+        for factor in self.reading.factors() {
+            let shape = Shape { factors: SmallVec::from_slice(&[factor]), stride: 1 };
+            let common = common_multiple(&multinomials::<BigInt>(&shape));
+            parameters.extend(multinomials::<BigInt>(&shape).into_iter().map(|n| C::from(Rational::from(&common / n))));
+            divisors.push(C::from(Rational::from(common)));
+        }
+        let layout = Layout { divisors, ..self.point_layout() };
+        C::compute(&SymmetricSum { shape: self.shape() }, &self.coefficients, &parameters, &[layout])
+    }
+
+    fn point_layout(&self) -> Layout<C> {
+        Layout::constant(Shape::curve(0, self.dimension), C::unit())
+    }
+
+    /// The point `F(u, v)`.
+    #[must_use]
+    pub fn value(&self, [u, v]: &[C; 2]) -> Vec<C> {
+        let (weights, scales): (Vec<Weights<C>>, [usize; 2]) = match self.reading {
+            Reading::Bidegree(p, q) => (vec![Weights::of_number(u), Weights::of_number(v)], [p, q]),
+            Reading::Total(m) | Reading::Curve(m) => (vec![Weights::of(&[C::unit(), u.clone(), v.clone()])], [m, 0]),
+        };
+        let divisors = weights.iter().zip(scales).flat_map(|(weights, power)| std::iter::repeat_n(weights.scale.clone(), power)).collect();
+        let parameters: Vec<C> = weights.into_iter().flat_map(|weights| weights.weights).collect();
+        let layout = Layout { divisors, ..self.point_layout() };
+        C::compute(&Value { shape: self.shape() }, &self.coefficients, &parameters, &[layout])
+    }
+
+    /// The partial derivative of some orders: a surface of vectors, of a total
+    /// degree or bidegree that much lower (0 beyond the degree).
+    ///
+    /// # Errors
+    /// None; the result is checked like any other surface.
+    pub fn partial(&self, in_u: usize, in_v: usize) -> Result<Self, Error> {
+        let falling = |from: usize, by: usize| (from - by + 1..=from).map(|k| Rational::from(k as i64)).product::<Rational>();
+        let coordinate = |index| {
+            let kept = self.terms(index).into_iter().filter(|&(h, k, _)| h >= in_u && k >= in_v);
+            kept.map(|(h, k, c)| (h - in_u, k - in_v, c.times(&C::from(falling(h, in_u) * falling(k, in_v))))).collect()
+        };
+        Self::new(self.lowered(in_u, in_v), (0..self.dimension).map(coordinate).collect())
+    }
+
+    fn lowered(&self, in_u: usize, in_v: usize) -> Reading {
+        match self.reading {
+            Reading::Bidegree(p, q) => Reading::Bidegree(p.saturating_sub(in_u), q.saturating_sub(in_v)),
+            Reading::Total(m) | Reading::Curve(m) => Reading::Total(m.saturating_sub(in_u + in_v)),
+        }
+    }
+
+    /// The derivative in the direction `(du, dv)`, of some order.
+    ///
+    /// # Errors
+    /// None; the result is checked like any other surface.
+    pub fn derivative(&self, direction: &[C; 2], order: usize) -> Result<Self, Error> {
+        let mut result = self.clone();
+        for _ in 0..order {
+            let [in_u, in_v] = [result.partial(1, 0)?, result.partial(0, 1)?];
+            let reading = match result.reading {
+                // Either variable may keep its degree.
+                Reading::Bidegree(..) => result.reading,
+                _ => result.lowered(1, 0),
+            };
+            let mut sum = in_u.scaled(&direction[0]).read_as(reading)?;
+            let other = in_v.scaled(&direction[1]).read_as(reading)?;
+            sum.coefficients.iter_mut().zip(&other.coefficients).for_each(|(a, b)| a.add(b));
+            result = sum;
+        }
+        Ok(result)
+    }
+
+    fn scaled(mut self, factor: &C) -> Self {
+        self.coefficients.iter_mut().for_each(|c| c.multiply(factor));
+        self
+    }
+
+    /// The triangular patch over a frame: its control points are the polar
+    /// values at the vertices, `b_ijk = f(r^i s^j t^k)` (Gallier, section 19.2).
+    /// A surface read by its bidegree `(p, q)` becomes one of total degree `p + q`.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn over_triangle(&self, frame: &Triangle<C>) -> Result<TriangularPatch<C>, Error> {
+        let surface = self.by_total_degree()?;
+        let shape = surface.shape();
+        if frame.vertices().iter().flatten().any(|coordinate| coordinate.as_rational().is_none()) {
+            // Replacing vertices would divide by symbolic weights; polar values do not.
+            let mut coordinates = Vec::with_capacity(surface.coefficients.len());
+            let vertices = [frame.t(), frame.r(), frame.s()].map(|vertex| PlaneParameter::point(vertex.clone()));
+            for exponents in surface.reading.exponents() {
+                let repeated = vertices.iter().zip(&exponents).flat_map(|(vertex, &times)| std::iter::repeat_n(vertex.clone(), times));
+                coordinates.extend(surface.blossom(&repeated.collect::<Vec<_>>())?);
+            }
+            return Ok(TriangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()));
+        }
+        let data = (Data::Equation, surface.coefficients.as_slice());
+        let coordinates = change_frame(&shape, data, [frame.homogeneous_vertices()], Data::Net)?;
+        Ok(TriangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()))
+    }
+
+    /// The rectangular patch over two frames: its control points are
+    /// `b_ij = f(r1^{p-i} s1^i; r2^{q-j} s2^j)` (Gallier, section 19.3).
+    /// A surface read by its total degree `m` becomes one of bidegree `(m, m)`.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn over_rectangle(&self, frame: &Rectangle<C>) -> Result<RectangularPatch<C>, Error> {
+        let surface = self.by_bidegree()?;
+        let shape = surface.shape();
+        let vertices = [frame.u().vertices(), frame.v().vertices()];
+        let coordinates = change_frame(&shape, (Data::Equation, &surface.coefficients), vertices, Data::Net)?;
+        Ok(RectangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()))
+    }
+
+    /// The curve that the surface carries along the line from `a` to `b`, over
+    /// the frame `0..1`: its control points are `f(a^{m-i} b^i)`, where `m` is
+    /// the total degree, or `p + q` for a bidegree (CS348a, lecture 12, section 4).
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if it is not known whether symbolic ends are
+    /// different; [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
+    pub fn segment(&self, a: &[C; 2], b: &[C; 2]) -> Result<Segment<C>, Error> {
+        let surface = self.by_total_degree()?;
+        let direction = [b[0].minus(&a[0]), b[1].minus(&a[1])];
+        if direction.iter().all(C::is_nothing) {
+            let point = surface.value(a);
+            let coordinates = (0..=surface.reading.groups()[0].0).flat_map(|_| point.iter().cloned()).collect();
+            return Segment::new(self.dimension, coordinates, Interval::unit());
+        }
+        // A third vertex off the line: a step across it. What it is does not matter.
+        let across = if direction[1].is_nothing() { [C::nothing(), C::unit()] } else { [C::unit(), C::nothing()] };
+        let off = PlaneParameter::vector(across);
+        let vertices = [off, PlaneParameter::point(a.clone()), PlaneParameter::point(b.clone())];
+        let vertices = vertices.map(|PlaneParameter { u, v, w }| Weights::of(&[w, u, v]));
+        let net = edge(&surface.shape(), &surface.coefficients, vertices.into_iter().collect())?;
+        Ok(Segment::from_net(net, Interval::unit()))
+    }
+
+    /// The image under an affine map.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] if the map takes points of another dimension.
+    pub fn transform(&self, map: &AffineMap<C>) -> Result<Self, Error> {
+        let constant = self.place(0, 0);
+        let mut coefficients = Vec::with_capacity(self.coefficients.len());
+        for (place, vector) in self.coefficients.chunks_exact(self.dimension).enumerate() {
+            coefficients.extend(if place == constant { map.apply(vector)? } else { map.apply_to_vector(vector)? });
+        }
+        Ok(Self { reading: self.reading, dimension: map.target_dimension(), coefficients })
+    }
+
+    /// Whether two surfaces are the same polynomial map, however they are read.
+    #[must_use]
+    pub fn same_map(&self, other: &Self) -> bool {
+        self.dimension == other.dimension && (0..self.dimension).all(|index| self.terms(index) == other.terms(index))
+    }
+}
+
+/// The least common multiple of some positive numbers.
+fn common_multiple(numbers: &[BigInt]) -> BigInt {
+    numbers.iter().fold(BigInt::from(1), |common, number| {
+        let shared = BigInt::from(gcd_big(common.magnitude(), number.magnitude()));
+        common / shared * number
+    })
+}
+
+fn check_reading(reading: Reading, exponents: impl Iterator<Item = (usize, usize)>) -> Result<(), Error> {
+    let needed = exponents.fold((0, 0, 0), |(p, q, m), (h, k)| (p.max(h), q.max(k), m.max(h + k)));
+    match reading {
+        Reading::Total(asked) if asked < needed.2 => Err(Error::DegreeTooLow { asked, needed: needed.2 }),
+        Reading::Bidegree(p, q) if p < needed.0 || q < needed.1 => {
+            Err(Error::BidegreeTooLow { asked: (p, q), needed: (needed.0, needed.1) })
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_size(reading: Reading, dimension: usize) -> Result<(), Error> {
+    let limit = Surface::<Rational>::MAX_COEFFICIENTS;
+    let count = match reading {
+        Reading::Bidegree(p, q) => (p + 1).checked_mul(q + 1),
+        Reading::Total(m) | Reading::Curve(m) => (m + 1).checked_mul(m + 2).map(|count| count / 2),
+    };
+    match count.and_then(|count| count.checked_mul(dimension)) {
+        Some(count) if count <= limit => Ok(()),
+        _ => Err(Error::TooLarge { what: "surface, counted in coefficients,", limit }),
+    }
+}
