@@ -60,8 +60,7 @@ pub(crate) fn change_frame<C: Coefficient>(
     to: Data,
 ) -> Result<Vec<C>, Error> {
     let Plan { change, parameters, scales } = plan(shape, from, vertices)?;
-    let layout =
-        Layout { shape: shape.clone(), scales, multinomial: to == Data::Net, constant: C::unit(), divisors: SmallVec::new() };
+    let layout = Layout { shape: shape.clone(), scales, multinomial: to == Data::Net, constant: C::unit(), divisors: SmallVec::new() };
     Ok(C::compute(&change, numbers, &parameters, &[layout]))
 }
 

@@ -214,6 +214,17 @@ impl<C: Coefficient> Curve<C> {
         Self::from_vectors(self.dimension, coefficients)
     }
 
+    /// The map with one more coordinate, given by its coefficients in ascending
+    /// powers; the polar degree rises if need be.
+    ///
+    /// # Errors
+    /// As for [`Curve::new`].
+    pub fn with_coordinate(&self, coefficients: Vec<C>) -> Result<Self, Error> {
+        let mut coordinates: Vec<Vec<C>> = (0..self.dimension).map(|index| self.coordinate(index).cloned().collect()).collect();
+        coordinates.push(coefficients);
+        Self::new(coordinates)
+    }
+
     /// The segment over a frame: its control points are the polar values at
     /// the vertices, `b_i = f(r^{m-i} s^i)` (Gallier, section 18.1).
     ///

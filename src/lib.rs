@@ -35,7 +35,7 @@
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
 //! | [`value`], `model` | what operations take and give; shapes in files |
-//! | `curve`, `segment`, `scheme`, `bernstein`, `hull`, `flatness`, `blossom`, `matrix`, `roots` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `matrix`, `roots` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -66,6 +66,7 @@ mod matrix;
 #[cfg(feature = "cli")]
 pub mod model;
 pub mod ops;
+mod piece;
 mod reading;
 mod rectangular;
 pub mod report;
@@ -74,12 +75,14 @@ mod scheme;
 mod segment;
 mod surface;
 mod symbolic;
+mod symmetry;
 pub mod syntax;
 mod tetrahedron;
 mod triangular;
 pub mod value;
+mod weights;
 
-pub use affine::{AffineMap, Interval, Parameter, Place, PlaneParameter, Rectangle, Triangle};
+pub use affine::{AffineMap, Frame, Interval, Parameter, Place, PlaneParameter, Rectangle, Triangle};
 pub use bernstein::Bernstein;
 pub use bilinear::{CommonSteps, TwoSteps};
 pub use blossom::{PolarDefect, PolarForm, check_polar_form, sigma};
@@ -89,6 +92,8 @@ pub use exact::{MAX_DIGITS, ParseNumberError, Rational};
 pub use flatness::Flattening;
 pub use hull::{ConvexHull, bounding_box};
 pub use kernel::coefficient::Coefficient;
+pub use matrix::bernstein_matrix;
+pub use piece::{Equation, Piece};
 pub use reading::{PolarTerm, Reading};
 pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, bidegree_label};
 pub use roots::{RealRoots, Root, RootPlace};
@@ -96,8 +101,10 @@ pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
 pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};
+pub use symmetry::Symmetry;
 pub use tetrahedron::TriangularScheme;
 pub use triangular::{Quadrisection, TriangularPatch, TriangularReduction, Trisection, triangular_degree};
+pub use weights::{homogeneous_points, projected};
 
 /// The library example of the README, run as a documentation test.
 #[cfg(doctest)]

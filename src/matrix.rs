@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, Point};
 
 use crate::affine::Interval;
+use crate::blossom::binomials;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
@@ -29,6 +30,25 @@ impl TryFrom<&DMatrix<Rational>> for Curve {
     fn try_from(matrix: &DMatrix<Rational>) -> Result<Self, Error> {
         Self::new(matrix.row_iter().map(|row| row.iter().cloned().collect()).collect())
     }
+}
+
+/// The matrix `M` of the Bernstein polynomials over `0..1` in powers of `t`: row
+/// `i` holds the coefficients of `B_i`, so that `B(t) = M (1, t, …, t^m)ᵀ`, and a
+/// patch `B(u)ᵀ P B(v)` has the coefficients `Mᵀ P M` (MA323, day 25, section 1).
+///
+/// ```
+/// use casteljau::{Rational, bernstein_matrix};
+/// let expected = [1, -2, 1, 0, 2, -2, 0, 0, 1].map(Rational::from);
+/// assert_eq!(bernstein_matrix(2), nalgebra::DMatrix::from_row_slice(3, 3, &expected));
+/// ```
+#[must_use]
+pub fn bernstein_matrix(degree: usize) -> DMatrix<Rational> {
+    let rows: Vec<Vec<Rational>> = (0..=degree).map(binomials).collect();
+    DMatrix::from_fn(degree + 1, degree + 1, |i, k| match k.checked_sub(i) {
+        // B_i = C(m,i) t^i (1-t)^{m-i}, and C(m,i) C(m-i,k-i) = C(m,k) C(k,i).
+        Some(gap) => &rows[degree][k] * &rows[k][i] * Rational::from(if gap % 2 == 0 { 1 } else { -1 }),
+        None => Rational::from(0),
+    })
 }
 
 impl Segment {

@@ -170,7 +170,8 @@ mod tests {
     use super::*;
 
     fn shown(reading: Reading, exponents: &[usize]) -> Vec<String> {
-        let name = |term: &PolarTerm| term.iter().map(|&(group, argument, c)| reading.symbol(group, argument, c).to_string()).collect::<String>();
+        let name =
+            |term: &PolarTerm| term.iter().map(|&(group, argument, c)| reading.symbol(group, argument, c).to_string()).collect::<String>();
         reading.terms(exponents).iter().map(name).collect()
     }
 

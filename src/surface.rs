@@ -353,6 +353,23 @@ impl<C: Coefficient> Surface<C> {
         self
     }
 
+    /// The map with one more coordinate, given by its terms; the degrees rise if need be.
+    ///
+    /// # Errors
+    /// As for [`Surface::new`].
+    pub fn with_coordinate(&self, terms: Vec<Term<C>>) -> Result<Self, Error> {
+        let kept = |index| self.terms(index).into_iter().map(|(h, k, c)| (h, k, c.clone())).collect();
+        let mut coordinates: Vec<Vec<Term<C>>> = (0..self.dimension).map(kept).collect();
+        let largest =
+            terms.iter().filter(|(_, _, c)| !c.is_nothing()).fold((0, 0, 0), |(p, q, m), &(h, k, _)| (p.max(h), q.max(k), m.max(h + k)));
+        let reading = match self.reading {
+            Reading::Bidegree(p, q) => Reading::Bidegree(p.max(largest.0), q.max(largest.1)),
+            Reading::Total(m) | Reading::Curve(m) => Reading::Total(m.max(largest.2)),
+        };
+        coordinates.push(terms);
+        Self::new(reading, coordinates)
+    }
+
     /// The triangular patch over a frame: its control points are the polar
     /// values at the vertices, `b_ijk = f(r^i s^j t^k)` (Gallier, section 19.2).
     /// A surface read by its bidegree `(p, q)` becomes one of total degree `p + q`.

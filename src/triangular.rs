@@ -191,11 +191,8 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// [`Error::Unsupported`] if the area of the frame is symbolic.
     pub fn surface(&self) -> Result<Surface<C>, Error> {
         let (zero, one) = (C::nothing, C::unit);
-        let vertices = [
-            PlaneParameter::point([zero(), zero()]),
-            PlaneParameter::vector([one(), zero()]),
-            PlaneParameter::vector([zero(), one()]),
-        ];
+        let vertices =
+            [PlaneParameter::point([zero(), zero()]), PlaneParameter::vector([one(), zero()]), PlaneParameter::vector([zero(), one()])];
         let vertices = vertices.iter().map(|vertex| self.frame.weights(vertex)).collect::<Result<_, _>>()?;
         Ok(Surface::from_coefficients(Reading::Total(self.degree()), self.dimension(), self.net.equation([vertices])?))
     }

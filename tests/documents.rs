@@ -5,7 +5,7 @@ mod transcript;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use casteljau::ops::OPERATIONS;
+use casteljau::ops::operations;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -83,7 +83,7 @@ fn the_operations_are_those_of_the_table() {
          Error codes: bad-json, unknown-op, missing-field, unknown-field, bad-number, wrong-shape, wrong-count, degenerate-frame,\n\
          degree-too-low, unsupported, too-large.\n",
     );
-    for operation in OPERATIONS {
+    for operation in operations() {
         writeln!(text, "\n## {}\n\n{}.\n", operation.name, operation.doc).expect("a string");
         writeln!(text, "| input | | command line | |\n|---|---|---|---|").expect("a string");
         for parameter in operation.parameters {

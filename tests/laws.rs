@@ -9,7 +9,8 @@
 mod oracle;
 
 use casteljau::{
-    AffineMap, Bernstein, Coefficient, ConvexHull, Curve, Interval, Parameter, Polynomial, Rational, Segment, Symbol, check_polar_form,
+    AffineMap, Bernstein, Coefficient, ConvexHull, Curve, Interval, Parameter, Polynomial, Rational, Reading, Segment, Symbol,
+    check_polar_form,
 };
 use oracle::Coefficients;
 use proptest::prelude::*;
@@ -139,7 +140,7 @@ proptest! {
         prop_assert_eq!(&segment.value(&t).expect("a value"), &expected);
         let scheme = segment.scheme(&t).expect("a scheme");
         prop_assert_eq!(scheme.point(), &expected);
-        let basis = Bernstein::new(segment.degree(), frame).values(&t);
+        let basis = Bernstein::new(segment.degree(), frame).values(std::slice::from_ref(&t)).expect("one parameter");
         prop_assert_eq!(basis.iter().sum::<Rational>(), Rational::from(1));
         let weighted: Vec<Rational> = (0..segment.dimension()).map(|c| segment.points().zip(&basis).map(|(point, b)| &point[c] * b).sum()).collect();
         prop_assert_eq!(weighted, expected);
@@ -312,20 +313,21 @@ proptest! {
     #[test]
     fn expanded_polar_forms_pass_the_check_and_changed_ones_fail(curve in curve(4), wrong in number(), kind in 0usize..3) {
         let variable = Symbol::new('t', None);
-        let lists: Vec<Vec<Polynomial>> = (0..curve.dimension()).map(|index| curve.coordinate(index).cloned().map(Polynomial::from).collect()).collect();
-        let symbolic = Curve::new(lists).expect("a curve");
+        let reading = Reading::Curve(curve.degree());
+        let powers = |index| curve.coordinate(index).cloned().map(Polynomial::from).collect::<Vec<_>>();
+        let map: Vec<Polynomial> = (0..curve.dimension()).map(|index| Polynomial::from_coefficients(variable, &powers(index))).collect();
         let mut claim: Vec<Polynomial> = (0..curve.dimension()).map(|index| curve.polar().expand(index, 1000).expect("few terms")).collect();
-        prop_assert_eq!(check_polar_form(&symbolic, &claim, variable).expect("as many coordinates"), []);
+        prop_assert_eq!(check_polar_form(reading, &map, &[variable], &claim).expect("as many coordinates"), []);
         prop_assume!(wrong != Rational::from(0) && curve.degree() > 1);
-        let first = Polynomial::from(casteljau::polar_symbol(1));
-        let second = Polynomial::from(casteljau::polar_symbol(2));
+        let first = Polynomial::from(reading.symbol(0, 1, 1));
+        let second = Polynomial::from(reading.symbol(0, 2, 1));
         let error = match kind {
             0 => first.clone(),
             1 => &first - &second,
             _ => &(&first * &first) - &(&first * &second),
         };
         claim[0] += &error.scale(&wrong);
-        prop_assert!(!check_polar_form(&symbolic, &claim, variable).expect("as many coordinates").is_empty());
+        prop_assert!(!check_polar_form(reading, &map, &[variable], &claim).expect("as many coordinates").is_empty());
     }
 }
 
@@ -388,10 +390,13 @@ fn every_axiom_is_checked_by_itself() {
     use casteljau::PolarDefect::{NotAffine, NotSymmetric, WrongDiagonal};
     let variable = Symbol::new('t', None);
     let polynomial = |text: &str| casteljau::syntax::parse_scalar(text).expect("a polynomial");
-    let square = Curve::new(vec![polynomial("t^2").coefficients_in(variable)]).expect("a curve");
-    let defects = |claim: &str| check_polar_form(&square, &[polynomial(claim)], variable).expect("one coordinate");
+    let defects =
+        |claim: &str| check_polar_form(Reading::Curve(2), &[polynomial("t^2")], &[variable], &[polynomial(claim)]).expect("one coordinate");
     assert_eq!(defects("t1 t2"), []);
-    assert_eq!(defects("(t1^2 + t2^2)/2"), [NotAffine { coordinate: 0, argument: 1, degree: 2 }]);
-    assert_eq!(defects("t1 t2 + t1 - t2"), [NotSymmetric { coordinate: 0, arguments: (1, 2), difference: polynomial("2 t2 - 2 t1") }]);
+    assert_eq!(defects("(t1^2 + t2^2)/2"), [NotAffine { coordinate: 0, group: 0, argument: 1, degree: 2 }]);
+    assert_eq!(
+        defects("t1 t2 + t1 - t2"),
+        [NotSymmetric { coordinate: 0, group: 0, arguments: (1, 2), difference: polynomial("2 t2 - 2 t1") }]
+    );
     assert_eq!(defects("t1 t2 + 1"), [WrongDiagonal { coordinate: 0, difference: polynomial("1") }]);
 }

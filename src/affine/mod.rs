@@ -1,6 +1,7 @@
 //! Points of the parameter line and plane and of space: frames, homogeneous
 //! parameters, affine maps.
 
+mod frame;
 mod interval;
 mod map;
 mod parameter;
@@ -8,6 +9,7 @@ mod rectangle;
 mod triangle;
 mod weights;
 
+pub use frame::Frame;
 pub use interval::Interval;
 pub use map::AffineMap;
 pub use parameter::{Parameter, PlaneParameter};

@@ -118,9 +118,9 @@ impl<C: Coefficient> Triangle<C> {
         let vector = [u.minus(&w.times(&t[0])), v.minus(&w.times(&t[1]))];
         let (to_r, to_s) = (difference(r, t), difference(s, t));
         let share = |numerator: C| {
-            numerator
-                .over(&determinant)
-                .ok_or_else(|| Error::Unsupported(format!("dividing by {determinant} needs a number: give the frame {self} numeric vertices")))
+            numerator.over(&determinant).ok_or_else(|| {
+                Error::Unsupported(format!("dividing by {determinant} needs a number: give the frame {self} numeric vertices"))
+            })
         };
         let lambda = share(cross(&vector, &to_s))?;
         let mu = share(cross(&to_r, &vector))?;

@@ -2,22 +2,31 @@
 
 use serde_json::value::RawValue;
 
-use crate::affine::{AffineMap, Parameter};
+use crate::affine::{AffineMap, Frame, Parameter, PlaneParameter};
 use crate::curve::Curve;
-use crate::model::{Fault, Fields, count, frame, number, numbers, plain, points};
-use crate::ops::{Kind, Operation};
+use crate::exact::Rational;
+use crate::model::{Fault, Fields, count, depth, excerpt, frame, list, number, numbers, place, plain, points, rows, weights};
+use crate::ops::{Kind, Operation, Weighting};
+use crate::reading::Reading;
+use crate::surface::{Surface, Term};
 use crate::syntax::{self, SyntaxError};
-use crate::value::{Arguments, Value};
+use crate::value::{Arguments, Domain, Value};
 
 /// The arguments of an operation from its `input` object.
 pub(super) fn arguments(operation: &Operation, input: &RawValue) -> Result<Arguments, Fault> {
     let fields = Fields::of(input, "the input")?;
     let known: Vec<&str> = operation.parameters.iter().map(|parameter| parameter.name).collect();
     fields.only(&known, "the input")?;
-    let mut arguments = Arguments::default();
+    let domain = match operation.domains {
+        [only] => *only,
+        _ => domain(&fields),
+    };
+    let mut arguments = Arguments::new(domain);
     for parameter in operation.parameters {
         match fields.get(parameter.name) {
-            Some(raw) => arguments.insert(parameter.name, value(parameter.kind, raw, parameter.name)?),
+            // `terms` are the surface whose name they stand for.
+            Some(raw) if parameter.kind == Kind::Terms => arguments.insert("surface", Value::Surface(terms(raw)?)),
+            Some(raw) => arguments.insert(parameter.name, value(parameter.kind, domain, raw, parameter.name)?),
             None if parameter.required => {
                 return Err(Fault::new("missing-field", format!("{} needs `{}`: {}", operation.name, parameter.name, parameter.help)));
             }
@@ -25,40 +34,143 @@ pub(super) fn arguments(operation: &Operation, input: &RawValue) -> Result<Argum
         }
     }
     let given = |name| arguments.get(name).is_some();
-    for (curve, control) in [("curve", "points"), ("other_curve", "other_points")] {
-        if operation.parameter(curve).is_some() && operation.parameter(control).is_some() {
-            match (given(curve), given(control)) {
-                (false, false) => return Err(Fault::new("missing-field", format!("{} needs `{curve}` or `{control}`", operation.name))),
-                (true, true) => return Err(Fault::new("unknown-field", format!("`{curve}` and `{control}` exclude each other"))),
-                _ => {}
+    for shapes in [["curve", "surface", "points"], ["other_curve", "other_surface", "other_points"]] {
+        let taken: Vec<&str> = shapes.into_iter().filter(|name| operation.parameter(name).is_some()).collect();
+        let found: Vec<&str> = taken.iter().copied().filter(|name| given(name)).collect();
+        match found.as_slice() {
+            [] if taken.len() > 1 => {
+                let names: Vec<String> = taken.iter().map(|name| format!("`{name}`")).collect();
+                return Err(Fault::new("missing-field", format!("{} needs {}", operation.name, names.join(" or "))));
             }
+            [first, second, ..] => return Err(Fault::new("unknown-field", format!("`{first}` and `{second}` exclude each other"))),
+            _ => {}
         }
     }
     Ok(arguments)
 }
 
-fn value(kind: Kind, raw: &RawValue, name: &str) -> Result<Value, Fault> {
+/// What kind of shape the fields of a request are about.
+fn domain(fields: &Fields) -> Domain {
+    match fields.get("frame").map(frame) {
+        Some(Ok(Frame::Triangle(_))) => return Domain::Triangle,
+        Some(Ok(Frame::Rectangle(_))) => return Domain::Rectangle,
+        Some(Ok(Frame::Interval(_))) => return Domain::Curve,
+        _ => {}
+    }
+    if let Some(raw) = fields.get("surface").or(fields.get("other_surface")) {
+        let is_bidegree = Fields::of(raw, "a surface").is_ok_and(|surface| surface.get("degree").is_some_and(|degree| depth(degree) > 0));
+        return if is_bidegree { Domain::Rectangle } else { Domain::Triangle };
+    }
+    match fields.get("points").map(rows) {
+        Some(Ok(rows)) if depth(fields.get("points").unwrap_or(RawValue::NULL)) >= 3 => {
+            let shrinks = rows.len() > 1 && rows[rows.len() - 1].len() < rows[0].len();
+            if shrinks { Domain::Triangle } else { Domain::Rectangle }
+        }
+        _ if fields.get("bidegree").is_some() => Domain::Rectangle,
+        _ => Domain::Curve,
+    }
+}
+
+fn value(kind: Kind, domain: Domain, raw: &RawValue, name: &str) -> Result<Value, Fault> {
     Ok(match kind {
         Kind::Curve => Value::Curve(curve(raw)?),
-        Kind::Points => Value::Points(points(raw)?),
+        Kind::Surface => Value::Surface(surface(raw, domain)?),
+        Kind::Terms => Value::Surface(terms(raw)?),
+        Kind::Points if domain == Domain::Curve => Value::Points(points(raw)?),
+        Kind::Points => Value::Rows(rows(raw)?),
+        Kind::Weights => Value::Numbers(weights(raw)?),
+        Kind::Weight => Value::Expressions(vec![expression(&plain::<String>(raw, "a polynomial")?)?]),
         Kind::Frame | Kind::FrameOfPoints => Value::Frame(frame(raw)?),
-        Kind::Number => Value::Number(number(raw)?),
+        Kind::Number | Kind::FirstParameter | Kind::SecondParameter => Value::Number(number(raw)?),
+        Kind::Place => Value::Numbers(place(raw)?),
         Kind::Numbers | Kind::Arguments => Value::Numbers(numbers(raw, name)?),
         Kind::Point => Value::Point(numbers(raw, name)?),
         Kind::Count => Value::Count(count(raw, name)?),
-        Kind::HomogeneousArguments => Value::Arguments(homogeneous(raw)?),
+        Kind::Counts => Value::Counts(counts(raw, name)?),
+        Kind::HomogeneousArguments | Kind::FirstArguments(Weighting::Homogeneous) | Kind::SecondArguments(Weighting::Homogeneous) => {
+            Value::Arguments(homogeneous(raw)?)
+        }
+        Kind::FirstArguments(Weighting::Points) | Kind::SecondArguments(Weighting::Points) => {
+            Value::Arguments(numbers(raw, name)?.into_iter().map(Parameter::from).collect())
+        }
+        Kind::PlaneArguments(weighting) => Value::PlaneArguments(plane_arguments(raw, weighting)?),
         Kind::Claim => Value::Expressions(expressions(raw)?),
         Kind::Map => Value::Map(map(raw)?),
         Kind::Plane => Value::Map(plane(raw)?),
+        Kind::Word(words) => Value::Word(word(raw, name, words)?),
         Kind::Flag => Value::Truth(plain(raw, "true or false")?),
     })
+}
+
+fn word(raw: &RawValue, name: &str, words: &'static [&'static str]) -> Result<&'static str, Fault> {
+    let found: String = plain(raw, "a word")?;
+    words
+        .iter()
+        .copied()
+        .find(|word| *word == found)
+        .ok_or_else(|| Fault::new("wrong-shape", format!("`{name}` is one of {}, found {}", words.join(", "), excerpt(&found))))
+}
+
+/// Small whole numbers; one alone need not be a list.
+fn counts(raw: &RawValue, name: &str) -> Result<Vec<usize>, Fault> {
+    if depth(raw) == 0 {
+        return Ok(vec![count(raw, name)?]);
+    }
+    list(raw, "the value")?.into_iter().map(|item| count(item, name)).collect()
+}
+
+/// `{"degree": m or [p, q], "terms": [[[h, k, c], …], …]}`
+fn surface(raw: &RawValue, domain: Domain) -> Result<Surface, Fault> {
+    let fields = Fields::of(raw, "a surface")?;
+    fields.only(&["degree", "terms"], "a surface")?;
+    let degree = fields.require("degree", "a surface")?;
+    let reading = match (depth(degree), domain) {
+        (0, Domain::Rectangle) => return Err(Fault::new("wrong-shape", "the degree of this surface is a bidegree [p, q]")),
+        (1, Domain::Triangle) => return Err(Fault::new("wrong-shape", "the degree of this surface is its total degree, one number")),
+        (0, _) => Reading::Total(count(degree, "the degree")?),
+        _ => match counts(degree, "a degree")?.as_slice() {
+            &[p, q] => Reading::Bidegree(p, q),
+            other => return Err(Fault::new("wrong-count", format!("a bidegree has 2 numbers [p, q], found {}", other.len()))),
+        },
+    };
+    let lists = list(fields.require("terms", "a surface")?, "the terms")?;
+    Ok(Surface::new(reading, lists.into_iter().map(terms_of).collect::<Result<_, _>>()?)?)
+}
+
+/// The terms of one coordinate, read by the least total degree.
+fn terms(raw: &RawValue) -> Result<Surface, Fault> {
+    Ok(Surface::total(vec![terms_of(raw)?])?)
+}
+
+fn terms_of(raw: &RawValue) -> Result<Vec<Term>, Fault> {
+    let term = |raw: &RawValue| match list(raw, "the value")?.as_slice() {
+        [h, k, c] => Ok((count(h, "an exponent")?, count(k, "an exponent")?, number(c)?)),
+        other => Err(Fault::new("wrong-count", format!("a term is [h, k, coefficient], found {} entries", other.len()))),
+    };
+    list(raw, "the value")?.into_iter().map(term).collect()
+}
+
+/// Points `[u, v]`, or homogeneous ones `[u, v, w]`.
+fn plane_arguments(raw: &RawValue, weighting: Weighting) -> Result<Vec<PlaneParameter>, Fault> {
+    let size = if weighting == Weighting::Points { 2 } else { 3 };
+    let argument = |raw: &RawValue| {
+        let mut found = numbers(raw, "an argument")?;
+        if found.len() != size {
+            return Err(Fault::new("wrong-count", format!("an argument has {size} numbers, found {}", found.len())));
+        }
+        let w = if size == 3 { found.pop() } else { None }.unwrap_or_else(|| Rational::from(1));
+        let v = found.pop().unwrap_or_else(|| Rational::from(0));
+        let u = found.pop().unwrap_or_else(|| Rational::from(0));
+        Ok(PlaneParameter::homogeneous(w, u, v))
+    };
+    list(raw, "the value")?.into_iter().map(argument).collect()
 }
 
 fn curve(raw: &RawValue) -> Result<Curve, Fault> {
     let fields = Fields::of(raw, "a curve")?;
     fields.only(&["degree", "coeffs"], "a curve")?;
     let degree = count(fields.require("degree", "a curve")?, "the degree")?;
-    let lists: Vec<&RawValue> = plain_list(fields.require("coeffs", "a curve")?)?;
+    let lists: Vec<&RawValue> = list(fields.require("coeffs", "a curve")?, "the coefficients")?;
     let mut coordinates = Vec::with_capacity(lists.len());
     for list in lists {
         let coefficients = numbers(list, "a coordinate")?;
@@ -69,10 +181,6 @@ fn curve(raw: &RawValue) -> Result<Curve, Fault> {
         coordinates.push(coefficients);
     }
     Ok(Curve::new(coordinates)?)
-}
-
-fn plain_list(raw: &RawValue) -> Result<Vec<&RawValue>, Fault> {
-    serde_json::from_str(raw.get()).map_err(|_| Fault::new("wrong-shape", "expected a list"))
 }
 
 /// Pairs `[t, w]`.
@@ -90,7 +198,11 @@ fn homogeneous(raw: &RawValue) -> Result<Vec<Parameter>, Fault> {
 /// A claimed polar form: one text a coordinate, such as `"t1 t2"`.
 fn expressions(raw: &RawValue) -> Result<Vec<crate::symbolic::Polynomial>, Fault> {
     let texts: Vec<String> = plain(raw, "a list of expressions")?;
-    texts.iter().map(|text| syntax::parse_scalar(text).map_err(|error| syntax_fault(&error, text))).collect()
+    texts.iter().map(|text| expression(text)).collect()
+}
+
+fn expression(text: &str) -> Result<crate::symbolic::Polynomial, Fault> {
+    syntax::parse_scalar(text).map_err(|error| syntax_fault(&error, text))
 }
 
 fn syntax_fault(error: &SyntaxError, text: &str) -> Fault {

@@ -84,7 +84,7 @@ fn carry_out(request: &Fields<'_>) -> Result<serde_json::Value, Fault> {
 }
 
 fn unknown_operation(name: &str) -> Fault {
-    let known: Vec<&str> = crate::ops::OPERATIONS.iter().map(|operation| operation.name).collect();
+    let known: Vec<&str> = crate::ops::operations().map(|operation| operation.name).collect();
     Fault::new("unknown-op", format!("there is no operation `{}`; known are {}", crate::model::excerpt(name), known.join(", ")))
 }
 

@@ -4,14 +4,14 @@ use clap::{Arg, ArgAction, Command, value_parser};
 
 use crate::exact::MAX_DIGITS;
 use crate::ops::limits::{MAX_NUMBERS, MAX_STEPS};
-use crate::ops::{Kind, OPERATIONS, Operation, Parameter};
+use crate::ops::{Kind, Operation, Parameter, operations};
 use crate::segment::Segment;
 use crate::syntax::limits::{MAX_DEGREE, MAX_INPUT_BYTES, MAX_NESTING, MAX_TERMS};
 
 /// The names of the commands that carry out operations, in the order of the table.
 pub(super) fn verbs() -> Vec<&'static str> {
     let mut verbs: Vec<&str> = Vec::new();
-    for operation in OPERATIONS {
+    for operation in operations() {
         if !operation.verb.is_empty() && !verbs.contains(&operation.verb) {
             verbs.push(operation.verb);
         }
@@ -24,7 +24,9 @@ pub(super) fn verbs() -> Vec<&'static str> {
 pub(super) fn parameters(verb: &str) -> Vec<&'static Parameter> {
     let mut parameters: Vec<&Parameter> = Vec::new();
     for parameter in Operation::of_verb(verb).flat_map(|operation| operation.parameters) {
-        if !parameters.iter().any(|known| known.name == parameter.name) {
+        let is_known =
+            |known: &&Parameter| if parameter.flag.is_empty() { known.name == parameter.name } else { known.flag == parameter.flag };
+        if !parameters.iter().any(is_known) {
             parameters.push(parameter);
         }
     }
@@ -41,7 +43,7 @@ pub(super) fn program() -> Command {
     );
     let mut program = Command::new("casteljau")
         .version(clap::crate_version!())
-        .about("Exact polar forms, control points and subdivision of polynomial curves")
+        .about("Exact polar forms, control points and subdivision of polynomial curves and surfaces")
         .after_help(limits)
         .subcommand_required(true)
         .arg_required_else_help(true)
@@ -73,12 +75,12 @@ fn subcommand(verb: &'static str) -> Command {
         .after_help(format!("Examples:\n  {}", examples.join("\n  ")));
     let parameters = parameters(verb);
     let positional = |names: &[&str]| parameters.iter().any(|parameter| parameter.flag.is_empty() && names.contains(&parameter.name));
-    if positional(&["curve", "points", "values"]) {
+    if positional(&["curve", "surface", "points", "values"]) {
         let names = if positional(&["values"]) {
             "NUMBERS"
         } else if !positional(&["points"]) {
             "EXPR"
-        } else if positional(&["curve"]) {
+        } else if positional(&["curve", "surface"]) {
             "EXPR|POINTS"
         } else {
             "POINTS"
@@ -86,10 +88,15 @@ fn subcommand(verb: &'static str) -> Command {
         command = command
             .arg(Arg::new("input").value_name(names).help("The input itself, `-` for standard input, or the path of a .json shape file"))
             .arg(Arg::new("file").long("input").value_name("FILE").help("Read the input from a file"))
-            .arg(Arg::new("vars").long("vars").value_name("LETTER").help("The letter of the curve's parameter (t unless said)"));
+            .arg(
+                Arg::new("vars")
+                    .long("vars")
+                    .value_name("LETTERS")
+                    .help("The letters of the parameters: one of a curve (t unless said), two of a surface"),
+            );
     }
-    if positional(&["other_curve", "other_points"]) {
-        command = command.arg(Arg::new("other").value_name("OTHER").help("The second curve, as an equation or as points"));
+    if positional(&["other_curve", "other_surface", "other_points"]) {
+        command = command.arg(Arg::new("other").value_name("OTHER").help("The second curve or surface, as an equation or as points"));
     }
     for parameter in parameters.iter().filter(|parameter| !parameter.flag.is_empty()) {
         command = command.arg(flag(parameter));
@@ -126,18 +133,23 @@ fn color() -> Arg {
 }
 
 fn flag(parameter: &'static Parameter) -> Arg {
-    let argument = Arg::new(parameter.name).long(parameter.flag).help(parameter.help);
+    let argument = Arg::new(parameter.flag).long(parameter.flag).help(parameter.help);
     let name = match parameter.kind {
         Kind::Flag => return argument.action(ArgAction::SetTrue),
-        Kind::Frame | Kind::FrameOfPoints => "R..S",
-        Kind::Number => "NUMBER",
+        Kind::Frame | Kind::FrameOfPoints => "FRAME",
+        Kind::Number | Kind::Place | Kind::FirstParameter | Kind::SecondParameter => "NUMBER",
         Kind::Count => "N",
-        Kind::Arguments | Kind::HomogeneousArguments => "ARGUMENTS",
+        Kind::Counts => "N,N",
+        Kind::Arguments | Kind::HomogeneousArguments | Kind::FirstArguments(_) | Kind::SecondArguments(_) | Kind::PlaneArguments(_) => {
+            "ARGUMENTS"
+        }
+        Kind::Weight => "EXPR",
+        Kind::Word(_) => "WORD",
         Kind::Claim => "FORM",
         Kind::Map => "IMAGE",
         Kind::Plane => "EQUATION",
         Kind::Point => "POINT",
-        Kind::Curve | Kind::Points | Kind::Numbers => "VALUE",
+        Kind::Curve | Kind::Surface | Kind::Terms | Kind::Points | Kind::Weights | Kind::Numbers => "VALUE",
     };
     argument.value_name(name)
 }
@@ -145,6 +157,7 @@ fn flag(parameter: &'static Parameter) -> Arg {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::value::Domain;
 
     #[test]
     fn the_commands_are_well_formed() {
@@ -152,9 +165,13 @@ mod tests {
     }
 
     #[test]
-    fn every_command_has_one_operation_without_a_selecting_flag() {
+    fn every_command_has_one_operation_a_kind_of_shape_without_a_selecting_flag() {
         for verb in verbs() {
-            assert_eq!(Operation::of_verb(verb).filter(|operation| operation.selected_by.is_empty()).count(), 1, "{verb}");
+            for domain in [Domain::Curve, Domain::Triangle, Domain::Rectangle] {
+                let here: Vec<_> = Operation::of_verb(verb).filter(|operation| operation.domains.contains(&domain)).collect();
+                let plain = here.iter().filter(|operation| operation.selected_by.is_empty()).count();
+                assert_eq!(plain, usize::from(!here.is_empty()), "{verb}");
+            }
         }
     }
 }

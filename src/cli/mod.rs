@@ -3,7 +3,9 @@
 mod arguments;
 mod command;
 mod diagnostic;
+mod given;
 mod read;
+mod select;
 mod source;
 
 use std::ffi::OsString;
@@ -18,6 +20,7 @@ use crate::symbolic::Symbol;
 use crate::syntax::Style;
 use crate::value::{Answer, Arguments};
 use diagnostic::Problem;
+use given::Given;
 
 /// Runs the program on its arguments (the first is the program's name) and
 /// gives its exit status: 0 done and everything holds, 1 a question was
@@ -77,8 +80,13 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
 }
 
 fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
-    let operation = read::selected(verb, matches)?;
-    let (arguments, notes) = read::arguments(operation, matches)?;
+    let mut notes = Vec::new();
+    let given = Given::of(verb, matches, "input", &mut notes)?;
+    let other = Given::of(verb, matches, "other", &mut notes)?;
+    let weighted = given.as_ref().is_some_and(Given::is_weighted) || select::is_given(matches, "weight");
+    let selection = select::select(verb, given.as_ref(), weighted, matches)?;
+    let operation = selection.operation;
+    let arguments = read::arguments(&selection, given, other, matches, &mut notes)?;
     if !matches.get_flag("quiet") {
         notes.iter().for_each(|note| tell(note));
     }
@@ -117,6 +125,7 @@ fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer
 fn render<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<String, Problem> {
     let notation = |style| Notation {
         variable: arguments.variable(),
+        variables: arguments.variables(),
         decimals: matches.get_one::<u16>("decimal").map(|&places| usize::from(places)),
         expand: matches.try_get_one::<bool>("expand").ok().flatten().copied().unwrap_or(false),
         ..Notation::new(style)

@@ -56,6 +56,10 @@ pub trait Coefficient: sealed::Compute + PartialEq + fmt::Debug + fmt::Display +
     /// The value if it contains no symbolic parameter.
     fn as_rational(&self) -> Option<Rational>;
 
+    /// The scalar that a polynomial is; `None` if it contains a symbolic
+    /// parameter that scalars of this kind cannot.
+    fn from_polynomial(value: &Polynomial) -> Option<Self>;
+
     /// The number of bits of its longest part, times the number of parts.
     fn bit_length(&self) -> u64;
 }
@@ -99,6 +103,10 @@ impl Coefficient for Rational {
         Some(self.clone())
     }
 
+    fn from_polynomial(value: &Polynomial) -> Option<Self> {
+        value.as_rational()
+    }
+
     fn bit_length(&self) -> u64 {
         self.bits()
     }
@@ -107,6 +115,10 @@ impl Coefficient for Rational {
 impl Coefficient for Polynomial {
     fn as_rational(&self) -> Option<Rational> {
         Polynomial::as_rational(self)
+    }
+
+    fn from_polynomial(value: &Polynomial) -> Option<Self> {
+        Some(value.clone())
     }
 
     fn bit_length(&self) -> u64 {

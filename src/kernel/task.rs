@@ -71,13 +71,10 @@ impl Task for Edge {
     fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
         let entries = self.change.run(numerators, parameters);
         let mut points = entries.chunks_exact(self.change.shape.stride);
-        let mut edge = Vec::new();
-        self.change.shape.for_each(|exponents| {
-            if let Some(point) = points.next().filter(|_| exponents[0] == 0) {
-                edge.extend_from_slice(point);
-            }
-        });
-        edge
+        let mut edge: Vec<&[R]> = Vec::new();
+        self.change.shape.for_each(|exponents| edge.extend(points.next().filter(|_| exponents[0] == 0)));
+        // In the order of the triangle vertex 2 comes before vertex 1.
+        edge.into_iter().rev().flatten().cloned().collect()
     }
 }
 

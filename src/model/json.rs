@@ -116,7 +116,11 @@ pub(crate) fn excerpt(text: &str) -> String {
     }
 }
 
-fn list<'a>(raw: &'a RawValue, what: &str) -> Result<Vec<&'a RawValue>, Fault> {
+/// The items of a list.
+///
+/// # Errors
+/// `wrong-shape` if it is something else.
+pub(crate) fn list<'a>(raw: &'a RawValue, what: &str) -> Result<Vec<&'a RawValue>, Fault> {
     serde_json::from_str(raw.get()).map_err(|_| Fault::new("wrong-shape", format!("{what} must be a list, found {}", excerpt(raw.get()))))
 }
 
@@ -173,21 +177,49 @@ pub fn numbers(raw: &RawValue, what: &str) -> Result<Vec<Rational>, Fault> {
 /// As for [`numbers`], `wrong-count` for points of different dimensions,
 /// `too-large` for more points than the limit of degrees allows.
 pub fn points(raw: &RawValue) -> Result<Vec<Vec<Rational>>, Fault> {
-    let items = list(raw, "points")?;
+    let points = list_of_points(raw, "points")?;
+    check_dimensions(points.iter())?;
+    Ok(points)
+}
+
+fn list_of_points(raw: &RawValue, what: &str) -> Result<Vec<Vec<Rational>>, Fault> {
+    let items = list(raw, what)?;
     if items.len() > MAX_DEGREE as usize + 1 {
         return Err(Fault::new("too-large", format!("at most {} points, found {}", MAX_DEGREE + 1, items.len())));
     }
-    let mut points = Vec::with_capacity(items.len());
-    for item in items {
-        let point = if item.get().starts_with('[') { numbers(item, "a point")? } else { vec![number(item)?] };
-        points.push(point);
+    let point = |item: &RawValue| if item.get().starts_with('[') { numbers(item, "a point") } else { Ok(vec![number(item)?]) };
+    items.into_iter().map(point).collect()
+}
+
+/// Rows of points.
+///
+/// # Errors
+/// As for [`points`].
+pub fn rows(raw: &RawValue) -> Result<Vec<Vec<Vec<Rational>>>, Fault> {
+    let items = list(raw, "rows of points")?;
+    if items.len() > MAX_DEGREE as usize + 1 {
+        return Err(Fault::new("too-large", format!("at most {} rows of points, found {}", MAX_DEGREE + 1, items.len())));
     }
-    let dimension = points.first().map_or(0, Vec::len);
+    let rows: Vec<Vec<Vec<Rational>>> =
+        items.into_iter().enumerate().map(|(index, row)| list_of_points(row, &format!("row {index}"))).collect::<Result<_, _>>()?;
+    check_dimensions(rows.iter().flatten())?;
+    Ok(rows)
+}
+
+fn check_dimensions<'p>(points: impl Iterator<Item = &'p Vec<Rational>> + Clone) -> Result<(), Fault> {
+    let dimension = points.clone().next().map_or(0, Vec::len);
     if dimension == 0 {
         return Err(Fault::new("wrong-shape", "expected at least one point with at least one coordinate"));
     }
-    match points.iter().position(|point| point.len() != dimension) {
-        Some(odd) => Err(Fault::new("wrong-count", format!("point {odd} has {} coordinates, point 0 has {dimension}", points[odd].len()))),
-        None => Ok(points),
+    match points.clone().enumerate().find(|(_, point)| point.len() != dimension) {
+        Some((odd, point)) => {
+            Err(Fault::new("wrong-count", format!("point {odd} has {} coordinates, point 0 has {dimension}", point.len())))
+        }
+        None => Ok(()),
     }
+}
+
+/// How deep lists are nested at the beginning of a value.
+pub(crate) fn depth(raw: &RawValue) -> usize {
+    raw.get().bytes().filter(|byte| !byte.is_ascii_whitespace()).take_while(|&byte| byte == b'[').count()
 }

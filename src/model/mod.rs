@@ -3,7 +3,7 @@
 mod json;
 mod shape;
 
-pub use json::{Fault, Fields, number, numbers, points};
-pub(crate) use json::{count, excerpt, plain};
-pub(crate) use shape::frame;
+pub use json::{Fault, Fields, number, numbers, points, rows};
+pub(crate) use json::{count, depth, excerpt, list, plain};
 pub use shape::{ShapeFile, read_shape};
+pub(crate) use shape::{frame, place, weights};

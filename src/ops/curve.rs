@@ -1,9 +1,13 @@
 //! Operations on curves, for numbers and for symbolic parameters alike.
 
-use crate::blossom::check_polar_form;
+use crate::blossom::{PolarDefect, check_polar_form};
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
+use crate::piece::Piece;
+use crate::reading::Reading;
 use crate::value::{Answer, Arguments, Value};
+
+use super::piece;
 
 type Outcome<C> = Result<Answer<C>, Error>;
 
@@ -11,7 +15,7 @@ pub(super) fn polar<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     let curve = arguments.curve()?;
     let mut fields = vec![("maps", Value::Polar(curve.polar()))];
     if let Ok(frame) = arguments.frame("frame") {
-        fields.push(("points", Value::Net(curve.segment(frame)?)));
+        fields.push(("points", Value::Net(Piece::Curve(curve.segment(frame)?))));
     }
     Ok(Answer::new(fields))
 }
@@ -26,19 +30,16 @@ pub(super) fn blossom_homogeneous<C: Coefficient>(arguments: &Arguments<C>) -> O
 }
 
 pub(super) fn check<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let curve = arguments.curve()?.map(&mut |number: &C| Ok::<_, Error>(number.clone().into()))?;
-    let defects = check_polar_form(&curve, arguments.expressions("claim")?, arguments.variable())?;
+    let (curve, variable) = (arguments.curve()?, arguments.variable());
+    let reading = Reading::Curve(curve.degree());
+    let defects = check_polar_form(reading, &curve.polynomials(variable), &[variable], arguments.expressions("claim")?)?;
+    Ok(checked(reading, defects))
+}
+
+/// The answer to the question whether a claimed polar form is one.
+pub(super) fn checked<C: Coefficient>(reading: Reading, defects: Vec<PolarDefect>) -> Answer<C> {
     let holds = defects.is_empty();
-    Ok(Answer::new(vec![("holds", Value::Truth(holds)), ("defects", Value::Defects(defects))]).that_holds(holds))
-}
-
-pub(super) fn points<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let segment = arguments.curve()?.segment(arguments.frame("frame")?)?;
-    Ok(Answer::new(vec![("points", Value::Net(segment))]))
-}
-
-pub(super) fn equation<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    Ok(Answer::new(vec![("curve", Value::Curve(arguments.segment()?.curve()?))]))
+    Answer::new(vec![("holds", Value::Truth(holds)), ("defects", Value::Defects(reading, defects))]).that_holds(holds)
 }
 
 pub(super) fn eval<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
@@ -59,26 +60,16 @@ pub(super) fn casteljau<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> 
 
 pub(super) fn split<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     let (left, right) = arguments.segment()?.split(arguments.number("t")?)?;
-    Ok(Answer::new(vec![("left", Value::Piece(left)), ("right", Value::Piece(right))]))
+    let fields = vec![("left", Value::Piece(Piece::Curve(left))), ("right", Value::Piece(Piece::Curve(right)))];
+    Ok(Answer::new(fields).weighted(arguments.is_weighted()))
 }
 
 pub(super) fn subdivide<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let (segment, depth) = (arguments.segment()?, arguments.count("depth").copied().unwrap_or(1));
-    Ok(Answer::new(vec![if arguments.flag("polyline") {
-        ("polyline", Value::Points(segment.polyline(depth)?))
-    } else {
-        ("pieces", Value::Pieces(segment.subdivide(depth)?))
-    }]))
-}
-
-pub(super) fn reframe<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let segment = arguments.segment()?.reframe(arguments.frame("new_frame")?)?;
-    Ok(Answer::new(vec![("points", Value::Net(segment))]))
-}
-
-pub(super) fn elevate<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let segment = arguments.segment()?.elevate(arguments.count("by").copied().unwrap_or(1));
-    Ok(Answer::new(vec![("points", Value::Net(segment))]))
+    if !arguments.flag("polyline") {
+        return piece::pieces(arguments);
+    }
+    let polyline = arguments.segment()?.polyline(arguments.count("depth").copied().unwrap_or(1))?;
+    Ok(Answer::new(vec![("polyline", Value::Points(polyline))]))
 }
 
 pub(super) fn reduce<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
@@ -86,8 +77,9 @@ pub(super) fn reduce<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     Ok(Answer::new(vec![
         ("true_degree", Value::Count(reduction.true_degree)),
         ("zero", Value::Truth(reduction.zero)),
-        ("points", Value::Net(reduction.segment)),
-    ]))
+        ("points", Value::Net(Piece::Curve(reduction.segment))),
+    ])
+    .weighted(arguments.is_weighted()))
 }
 
 pub(super) fn derivative<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
@@ -96,47 +88,4 @@ pub(super) fn derivative<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C>
         Ok(t) => ("value", Value::Point(derivative.value(t))),
         Err(_) => ("derivative", Value::Curve(derivative)),
     }]))
-}
-
-pub(super) fn product<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let product = arguments.segment()?.product(&arguments.other_segment()?)?;
-    Ok(Answer::new(vec![("points", Value::Net(product))]))
-}
-
-pub(super) fn transform<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let map = arguments.map("map")?;
-    Ok(Answer::new(vec![match arguments.get("points") {
-        Some(_) => ("points", Value::Net(arguments.segment()?.transform(map)?)),
-        None => ("curve", Value::Curve(arguments.curve()?.transform(map)?)),
-    }]))
-}
-
-pub(super) fn equal<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let same = arguments.segment()?.same_map(&arguments.other_segment()?)?;
-    Ok(Answer::new(vec![("equal", Value::Truth(same))]).that_holds(same))
-}
-
-pub(super) fn describe<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let curve = arguments.curve()?;
-    let (degree, true_degree, dimension) = (curve.degree(), curve.true_degree(), curve.dimension());
-    let name = match degree {
-        0 => "constant",
-        1 => "affine",
-        2 => "quadratic",
-        3 => "cubic",
-        4 => "quartic",
-        5 => "quintic",
-        _ => "n-ic",
-    };
-    Ok(Answer::new(vec![
-        ("parameter_dimension", Value::Count(1)),
-        ("object_dimension", Value::Count(dimension)),
-        ("gauge_dimension", Value::Count(dimension.saturating_sub(1))),
-        ("polar_degree", Value::Count(degree)),
-        ("true_degree", Value::Count(true_degree)),
-        ("degenerate", Value::Truth(true_degree < degree)),
-        ("name", Value::Word(name)),
-        ("control_points", Value::Count(degree + 1)),
-        ("degrees_of_freedom", Value::Count((degree + 1) * dimension)),
-    ]))
 }

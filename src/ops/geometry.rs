@@ -5,11 +5,11 @@ use crate::hull::{ConvexHull, bounding_box};
 use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn hull(arguments: &Arguments) -> Result<Answer, Error> {
-    let segment = arguments.segment()?;
-    let (least, largest) = bounding_box(segment.points())?;
+    let piece = arguments.piece()?;
+    let (least, largest) = bounding_box(piece.points())?;
     let corners = Value::Record(vec![("least", Value::Point(least)), ("largest", Value::Point(largest))]);
-    let planar = segment.dimension() == 2 || arguments.get("point").is_some();
-    let hull = if planar { Some(ConvexHull::of(segment.points())?) } else { None };
+    let planar = piece.dimension() == 2 || arguments.get("point").is_some();
+    let hull = if planar { Some(ConvexHull::of(piece.points())?) } else { None };
     let vertices = match &hull {
         Some(hull) => Value::Points(hull.vertices().iter().map(|vertex| vertex.to_vec()).collect()),
         None => Value::Nothing,

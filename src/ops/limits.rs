@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::limits::MAX_DEGREE;
-use crate::value::{Arguments, Value};
+use crate::value::{Arguments, Domain, Value};
 
 /// The most numbers an answer may hold.
 pub(crate) const MAX_NUMBERS: usize = 1 << 20;
@@ -30,8 +30,10 @@ const MAX_SYMBOLIC_DEGREE: usize = 256;
 /// What the arguments of an operation amount to.
 #[derive(Default)]
 struct Size {
-    /// The polar degree of the shapes together.
+    /// The polar degree of the shapes together; of rectangles, of both variables.
     degree: usize,
+    /// The number of control points or coefficients of the larger shape.
+    points: usize,
     dimension: usize,
     /// Bits of the longest coefficient or coordinate.
     data_bits: u64,
@@ -70,12 +72,27 @@ impl Size {
 
     fn of<C: Coefficient>(arguments: &Arguments<C>) -> Self {
         let mut size = Self { parameter_bits: 1, ..Self::default() };
-        let mut raised = 0;
+        let (mut raised, mut bidegree) = (0, 0);
         for (name, value) in arguments.iter() {
             match (name, value) {
                 (_, Value::Curve(curve)) => {
                     let mut all = (0..curve.dimension()).flat_map(|index| curve.coordinate(index));
                     size.data(curve.degree(), curve.dimension(), &mut all);
+                }
+                (_, Value::Surface(surface)) => {
+                    let degree = surface.reading().groups().iter().map(|group| group.0).sum();
+                    size.points = size.points.max(surface.reading().points());
+                    size.data(degree, surface.dimension(), &mut surface.coefficients().iter());
+                }
+                (_, Value::Rows(rows)) => {
+                    let widest = rows.iter().map(Vec::len).max().unwrap_or(0);
+                    let degree = match arguments.domain() {
+                        Domain::Rectangle => rows.len() + widest,
+                        _ => rows.len(),
+                    };
+                    let dimension = rows.first().and_then(|row| row.first()).map_or(0, Vec::len);
+                    size.points = size.points.max(rows.iter().map(Vec::len).sum());
+                    size.data(degree, dimension, &mut rows.iter().flatten().flatten());
                 }
                 (_, Value::Points(points)) => {
                     size.data(points.len().saturating_sub(1), points.first().map_or(0, Vec::len), &mut points.iter().flatten());
@@ -83,6 +100,7 @@ impl Size {
                 ("values", Value::Numbers(values)) => size.degree += values.len(),
                 ("degree", Value::Count(degree)) => raised = *degree,
                 ("by", Value::Count(by)) => size.degree += by,
+                ("by" | "bidegree", Value::Counts(counts)) => bidegree = counts.iter().sum(),
                 ("depth", Value::Count(depth)) => size.depth = *depth,
                 _ => {}
             }
@@ -90,16 +108,29 @@ impl Size {
         if arguments.flag("midpoints") {
             size.depth = size.depth.max(1);
         }
-        size.degree = size.degree.max(raised);
+        size.degree = match arguments.get("by") {
+            Some(_) => size.degree + bidegree,
+            None => size.degree.max(raised).max(bidegree),
+        };
+        // What a shape of that degree may have at most, and has if it is dense.
+        size.points = size.points.max(match arguments.domain() {
+            Domain::Curve => size.degree + 1,
+            Domain::Triangle => (size.degree + 1).saturating_mul(size.degree + 2) / 2,
+            // With p + q given, (p+1)(q+1) is at most this.
+            Domain::Rectangle => (size.degree / 2 + 1).saturating_mul(size.degree.div_ceil(2) + 1),
+        });
         size.dimension = size.dimension.max(1);
         for (_, value) in arguments.iter() {
             match value {
-                Value::Numbers(values) => values.iter().for_each(|value| size.parameter(value, 1)),
+                Value::Numbers(values) | Value::Point(values) => values.iter().for_each(|value| size.parameter(value, 1)),
+                Value::PlaneArguments(list) => {
+                    list.iter().flat_map(|argument| [&argument.u, &argument.v, &argument.w]).for_each(|value| size.parameter(value, 1))
+                }
                 Value::Arguments(list) => {
                     list.iter().flat_map(|argument| [&argument.t, &argument.w]).for_each(|value| size.parameter(value, 1))
                 }
                 Value::Number(value) => size.parameter(value, size.degree),
-                Value::Frame(frame) => [frame.r(), frame.s()].into_iter().for_each(|end| size.parameter(end, size.degree)),
+                Value::Frame(frame) => frame.numbers().into_iter().for_each(|end| size.parameter(end, size.degree)),
                 _ => {}
             }
         }
@@ -127,14 +158,15 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     if is_symbolic && size.degree > MAX_SYMBOLIC_DEGREE {
         return too_large("degree with symbolic parameters", MAX_SYMBOLIC_DEGREE);
     }
-    let one = (size.degree + 1) * size.dimension;
+    let one = size.points.saturating_mul(size.dimension);
     let numbers = match operation.growth {
         Growth::Direct | Growth::Linear => Some(one),
         Growth::Basis if arguments.get("index").is_some() => Some(one),
-        Growth::Basis => one.checked_mul(size.degree + 1),
+        Growth::Basis => one.checked_mul(size.points),
         Growth::Scheme => one.checked_mul(size.degree + 2).map(|all| all / 2),
         Growth::Doubling => {
-            u32::try_from(size.depth).ok().and_then(|depth| 2usize.checked_pow(depth)).and_then(|pieces| pieces.checked_mul(one))
+            let parts: usize = if arguments.domain() == Domain::Curve { 2 } else { 4 };
+            u32::try_from(size.depth).ok().and_then(|depth| parts.checked_pow(depth)).and_then(|pieces| pieces.checked_mul(one))
         }
     };
     let Some(numbers) = numbers.filter(|&numbers| numbers <= MAX_NUMBERS) else {

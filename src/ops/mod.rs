@@ -1,6 +1,6 @@
 //! Every operation once: what it takes, what it gives, and how it is carried out.
 //!
-//! The command line and `batch` are adaptors of [`OPERATIONS`]: they bring
+//! The command line and `batch` are adaptors of [`operations`]: they bring
 //! their own spelling of the arguments into [`Arguments`](crate::value::Arguments),
 //! run the row, and render the [`Answer`](crate::value::Answer).
 
@@ -9,6 +9,10 @@ mod geometry;
 pub(crate) mod limits;
 mod numbers;
 mod picture;
+mod piece;
+mod rational;
+mod rectangle;
 mod table;
+mod triangle;
 
-pub use table::{Growth, Kind, OPERATIONS, Operation, Parameter, Run};
+pub use table::{Growth, Kind, Operation, Parameter, Run, Weighting, operations};

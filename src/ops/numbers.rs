@@ -2,11 +2,13 @@
 
 use num_traits::{Signed, Zero};
 
+use crate::affine::{AffineMap, Frame, Place};
 use crate::bernstein::Bernstein;
 use crate::blossom;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::piece::Piece;
 use crate::roots::{RealRoots, Root, RootPlace, sign_variations};
 use crate::value::{Answer, Arguments, Value};
 
@@ -18,33 +20,122 @@ pub(super) fn sigma<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C
 }
 
 pub(super) fn contains(arguments: &Arguments) -> Result<Answer, Error> {
-    let inside = arguments.frame("frame")?.contains(arguments.number("t")?);
-    Ok(Answer::new(vec![("inside", Value::Truth(inside))]).that_holds(inside))
+    let at = arguments.numbers("t")?;
+    let place = match (arguments.any_frame("frame")?, at.as_slice()) {
+        (Frame::Interval(frame), [t]) if t == frame.r() || t == frame.s() => Place::Vertex,
+        (Frame::Interval(frame), [t]) if frame.contains(t) => Place::Inside,
+        (Frame::Interval(_), [_]) => Place::Outside,
+        (Frame::Triangle(frame), [u, v]) => frame.place(&[u.clone(), v.clone()]),
+        (Frame::Rectangle(frame), [u, v]) => frame.place(&[u.clone(), v.clone()]),
+        (frame, _) => {
+            let expected = if matches!(frame, Frame::Interval(_)) { 1 } else { 2 };
+            return Err(Error::WrongCount { what: "parameters", expected, found: at.len() });
+        }
+    };
+    let (inside, name) = match place {
+        Place::Vertex => (true, "vertex"),
+        Place::Edge => (true, "edge"),
+        Place::Inside => (true, "inside"),
+        Place::Outside => (false, "outside"),
+    };
+    Ok(Answer::new(vec![("inside", Value::Truth(inside)), ("place", Value::Word(name))]).that_holds(inside))
+}
+
+pub(super) fn barycentric<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>, Error> {
+    let Frame::Triangle(frame) = arguments.frame_or_default("frame") else {
+        return Err(Error::WrongShape("barycentric coordinates are those of a triangle, such as '(1,0) (0,1) (0,0)'".into()));
+    };
+    let coordinates = frame.barycentric(&arguments.parameter_point("a")?)?;
+    Ok(Answer::new(vec![("barycentric", Value::Numbers(coordinates.to_vec()))]))
+}
+
+/// The Bernstein polynomials that the arguments ask for.
+fn basis(arguments: &Arguments) -> Result<Bernstein, Error> {
+    let degree = || {
+        arguments
+            .count("degree")
+            .copied()
+            .map_err(|_| Error::WrongShape("the degree is missing: say --degree, or --bidegree P,Q on a rectangle".into()))
+    };
+    Ok(match arguments.frame_or_default("frame") {
+        Frame::Interval(frame) => Bernstein::new(degree()?, frame),
+        Frame::Triangle(frame) => Bernstein::triangle(degree()?, frame),
+        Frame::Rectangle(frame) => match arguments.pair("bidegree") {
+            Ok(bidegree) => Bernstein::rectangle(bidegree, frame),
+            Err(_) => Bernstein::rectangle((degree()?, degree()?), frame),
+        },
+    })
+}
+
+/// The place of an index among those of a basis.
+fn position(basis: &Bernstein, index: &[usize]) -> Result<usize, Error> {
+    basis.indices().iter().position(|known| known == index).ok_or_else(|| {
+        let written = index.iter().map(usize::to_string).collect::<Vec<_>>().join(",");
+        let last = basis.indices().pop().unwrap_or_default().iter().map(usize::to_string).collect::<Vec<_>>().join(",");
+        Error::WrongShape(format!("there is no index {written} here; the last one is {last}"))
+    })
 }
 
 pub(super) fn bernstein(arguments: &Arguments) -> Result<Answer, Error> {
-    let basis = Bernstein::new(*arguments.count("degree")?, arguments.frame_or_unit("frame"));
-    let all = match arguments.count("index") {
-        Ok(&index) => index..=index,
-        Err(_) => 0..=basis.degree(),
+    let basis = basis(arguments)?;
+    let indices = basis.indices();
+    let all = match arguments.counts("index") {
+        Ok(index) => {
+            let place = position(&basis, index)?;
+            place..place + 1
+        }
+        Err(_) => 0..indices.len(),
     };
-    let values = arguments.number("t").ok().map(|t| basis.values(t));
+    let values = arguments.numbers("t").ok().map(|t| basis.values(t)).transpose()?;
     let mut polynomials = Vec::new();
-    for index in all {
-        let mut record = vec![("index", Value::Count(index)), ("polynomial", Value::Curve(basis.polynomial(index)?))];
-        record.push((
-            "maximum",
-            match basis.maximum(index) {
-                Some((t, value)) => Value::Record(vec![("t", Value::Number(t)), ("value", Value::Number(value))]),
-                None => Value::Nothing,
-            },
-        ));
-        if let Some(value) = values.as_ref().and_then(|values| values.get(index)) {
+    for place in all {
+        let index = &indices[place];
+        let name = if let [k] = index.as_slice() { Value::Count(*k) } else { Value::Counts(index.clone()) };
+        let mut record = vec![("index", name), ("polynomial", basis.polynomial(place)?.into()), ("maximum", largest(&basis, place, None))];
+        if let Some(value) = values.as_ref().and_then(|values| values.get(place)) {
             record.push(("value", Value::Number(value.clone())));
         }
         polynomials.push(Value::Record(record));
     }
     Ok(Answer::new(vec![("frame", Value::Frame(basis.frame().clone())), ("polynomials", Value::List(polynomials))]))
+}
+
+/// Where a Bernstein polynomial is largest, and its value there, or its value times a vector.
+fn largest(basis: &Bernstein, place: usize, by: Option<&[Rational]>) -> Value {
+    let Some((at, value)) = basis.maximum(place) else { return Value::Nothing };
+    let at = match at.as_slice() {
+        [t] => Value::Number(t.clone()),
+        _ => Value::Point(at),
+    };
+    let value = match by {
+        None => Value::Number(value),
+        Some(vector) => Value::Point(vector.iter().map(|x| x * &value).collect()),
+    };
+    Value::Record(vec![("t", at), ("value", value)])
+}
+
+pub(super) fn influence(arguments: &Arguments) -> Result<Answer, Error> {
+    let piece = arguments.piece()?;
+    let basis = match &piece {
+        Piece::Curve(segment) => Bernstein::new(segment.degree(), segment.frame().clone()),
+        Piece::Triangle(patch) => Bernstein::triangle(patch.degree(), patch.frame().clone()),
+        Piece::Rectangle(patch) => Bernstein::rectangle(patch.degree(), patch.frame().clone()),
+    };
+    let place = position(&basis, arguments.counts("index")?)?;
+    let by = arguments.point("by").ok();
+    if let Some(by) = by.filter(|by| by.len() != piece.dimension()) {
+        return Err(Error::WrongCount { what: "coordinates", expected: piece.dimension(), found: by.len() });
+    }
+    let mut change = basis.piece(place)?;
+    if let Some(by) = by {
+        // The change of the whole map: the vector times the Bernstein polynomial.
+        change = change.transform(&AffineMap::new(by.iter().map(|x| vec![x.clone()]).collect(), vec![Rational::from(0); by.len()])?)?;
+    }
+    Ok(Answer::new(vec![
+        ("label", Value::Document(piece.labels().swap_remove(place))),
+        ("change", change.equation()?.into()),
+        ("largest", largest(&basis, place, by.map(Vec::as_slice))),
+    ]))
 }
 
 pub(super) fn roots(arguments: &Arguments) -> Result<Answer, Error> {

@@ -7,7 +7,10 @@ use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
     let mut picture = CurvePicture::new(arguments.segment()?);
-    if let Ok(t) = arguments.number("t") {
+    if let Ok(t) = arguments.numbers("t") {
+        let [t] = t.as_slice() else {
+            return Err(Error::WrongCount { what: "parameters", expected: 1, found: t.len() });
+        };
         picture = picture.with_scheme(t.clone());
     }
     if let Ok(&depth) = arguments.count("depth") {

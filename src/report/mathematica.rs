@@ -1,6 +1,7 @@
 //! Answers as Mathematica expressions.
 
 use super::formula::Notation;
+use crate::affine::Frame;
 use crate::kernel::coefficient::Coefficient;
 use crate::value::{Answer, Value};
 
@@ -40,18 +41,42 @@ fn expression<C: Coefficient>(value: &Value<C>, notation: &Notation) -> String {
         Value::Numbers(numbers) => point(numbers, notation),
         Value::Point(value) => point(value, notation),
         Value::Points(values) => points(&mut values.iter().map(Vec::as_slice)),
-        Value::Frame(frame) => point(&[frame.r().clone(), frame.s().clone()], notation),
+        Value::Frame(Frame::Interval(frame)) => point(&[frame.r().clone(), frame.s().clone()], notation),
+        Value::Frame(frame) => {
+            let numbers: Vec<C> = frame.numbers().into_iter().cloned().collect();
+            points(&mut numbers.chunks(2))
+        }
+        Value::Counts(counts) => list(&counts.iter().map(usize::to_string).collect::<Vec<_>>()),
+        Value::Rows(rows) => list(&rows.iter().map(|row| points(&mut row.iter().map(Vec::as_slice))).collect::<Vec<_>>()),
+        Value::Matrix(rows) => points(&mut rows.iter().map(Vec::as_slice)),
+        Value::HomogeneousPolar(polar) => {
+            list(&(0..polar.dimension()).map(|index| notation.homogeneous_polar(polar, index)).collect::<Vec<_>>())
+        }
+        Value::Homogeneous(form) => notation.homogeneous(form),
+        Value::Layers(layers) => {
+            let row = |row: &Vec<(String, Vec<C>)>| points(&mut row.iter().map(|entry| entry.1.as_slice()));
+            let layer = |layer: &Vec<Vec<(String, Vec<C>)>>| list(&layer.iter().map(row).collect::<Vec<_>>());
+            list(&layers.layers.iter().map(layer).collect::<Vec<_>>())
+        }
         Value::Curve(curve) => list(&(0..curve.dimension()).map(|index| notation.coordinate(curve, index)).collect::<Vec<_>>()),
-        Value::Net(segment) | Value::Piece(segment) => points(&mut segment.points()),
+        // The list of all points, row after row, as Gallier's programs take a net.
+        Value::Net(piece) | Value::Piece(piece) => points(&mut piece.points()),
         Value::Pieces(pieces) => list(&pieces.iter().map(|piece| points(&mut piece.points())).collect::<Vec<_>>()),
+        Value::Surface(surface) => {
+            list(&(0..surface.dimension()).map(|index| notation.surface_coordinate(surface, index)).collect::<Vec<_>>())
+        }
         Value::Polar(polar) => list(&(0..polar.dimension()).map(|index| notation.polar(polar, index)).collect::<Vec<_>>()),
         Value::Scheme(scheme) => list(&scheme.layers().map(|mut layer| points(&mut layer)).collect::<Vec<_>>()),
         Value::List(values) => list(&all(values)),
         Value::Record(fields) => list(&all(&fields.iter().map(|(_, value)| value.clone()).collect::<Vec<_>>())),
         Value::Word(word) => format!("\"{word}\""),
         Value::Document(text) => format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"")),
-        Value::Nothing | Value::Arguments(_) | Value::Map(_) | Value::Expressions(_) | Value::Variable(_) | Value::Defects(_) => {
-            "Null".to_owned()
-        }
+        Value::Nothing
+        | Value::Arguments(_)
+        | Value::PlaneArguments(_)
+        | Value::Map(_)
+        | Value::Expressions(_)
+        | Value::Variables(_)
+        | Value::Defects(..) => "Null".to_owned(),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::formula::Notation;
 use crate::kernel::coefficient::Coefficient;
-use crate::segment::Segment;
+use crate::piece::Piece;
 use crate::value::{Answer, Arguments, Value};
 
 /// The answer as the lines of an `aligned` block, ready to paste between `$$`.
@@ -12,7 +12,7 @@ use crate::value::{Answer, Arguments, Value};
 pub fn latex<C: Coefficient>(arguments: &Arguments<C>, answer: &Answer<C>, notation: &Notation) -> Result<String, String> {
     let mut lines = Vec::new();
     for (name, value) in &answer.fields {
-        field(name, value, arguments, notation, &mut lines)?;
+        field(name, value, arguments, answer.weighted, notation, &mut lines)?;
     }
     match lines.as_slice() {
         [] => Err("this answer has no formula; use --format text or json".into()),
@@ -25,6 +25,7 @@ fn field<C: Coefficient>(
     name: &str,
     value: &Value<C>,
     arguments: &Arguments<C>,
+    weighted: bool,
     notation: &Notation,
     lines: &mut Vec<String>,
 ) -> Result<(), String> {
@@ -32,7 +33,7 @@ fn field<C: Coefficient>(
         Value::Polar(polar) => {
             notation.check_expansion(polar)?;
             for coordinate in 0..polar.dimension() {
-                let head = format!("{}({})", notation.name('f', coordinate, polar.dimension()), notation.arguments(polar.degree()));
+                let head = format!("{}({})", notation.name('f', coordinate, polar.dimension()), notation.arguments(polar.reading()));
                 let body = notation.polar(polar, coordinate);
                 lines.push(format!("{head} &= {body}"));
             }
@@ -45,9 +46,35 @@ fn field<C: Coefficient>(
                 lines.push(format!("{indexed}{rest} &= {}", notation.coordinate(curve, coordinate)));
             }
         }
-        Value::Net(segment) => net(segment, notation, lines),
-        Value::Piece(segment) => piece(segment, notation, lines),
-        Value::Pieces(pieces) => pieces.iter().for_each(|segment| piece(segment, notation, lines)),
+        Value::HomogeneousPolar(polar) => {
+            for coordinate in 0..polar.dimension() {
+                let head = notation.name('f', coordinate, polar.dimension());
+                lines.push(format!("{head} &= {}", notation.homogeneous_polar(polar, coordinate)));
+            }
+        }
+        Value::Homogeneous(form) => lines.push(format!("\\text{{{name}}} &= {}", notation.homogeneous(form))),
+        Value::Surface(surface) => {
+            let head = notation.heading(arguments, name).unwrap_or_else(|| "F".to_owned());
+            let (letter, rest) = head.split_at(1);
+            for coordinate in 0..surface.dimension() {
+                let indexed = notation.name(letter.chars().next().unwrap_or('F'), coordinate, surface.dimension());
+                lines.push(format!("{indexed}{rest} &= {}", notation.surface_coordinate(surface, coordinate)));
+            }
+        }
+        Value::Net(value) => net(value, weighted, notation, lines),
+        Value::Piece(value) => piece(value, weighted, notation, lines),
+        Value::Pieces(pieces) => pieces.iter().for_each(|value| piece(value, weighted, notation, lines)),
+        Value::Layers(layers) => {
+            for (label, point) in layers.layers.iter().flatten().flatten() {
+                lines.push(format!("{} &= {}", subscripts(label), shown(point, weighted, notation)));
+            }
+        }
+        Value::Matrix(rows) => lines.push(format!("\\text{{{}}} &= {}", name.replace('_', " "), matrix(rows, notation))),
+        Value::Numbers(numbers) if name == "barycentric" => {
+            let list: Vec<String> = numbers.iter().map(|number| notation.number(number)).collect();
+            lines.push(format!("(\\lambda, \\mu, \\nu) &= ({})", list.join(", ")));
+        }
+        Value::Number(number) => lines.push(format!("\\text{{{}}} &= {}", name.replace('_', " "), notation.number(number))),
         Value::Count(count) => lines.push(format!("\\text{{{}}} &= {count}", name.replace('_', " "))),
         Value::Truth(truth) => {
             lines.push(format!("\\text{{{}: {}}}", name.replace('_', " "), if *truth { "yes" } else { "no" }));
@@ -55,13 +82,13 @@ fn field<C: Coefficient>(
         Value::Scheme(scheme) => {
             for j in 0..=scheme.degree() {
                 for (i, point) in scheme.layer(j).enumerate() {
-                    lines.push(format!("{} &= {}", scheme.label(i, j), notation.point(point)));
+                    lines.push(format!("{} &= {}", scheme.label(i, j), shown(point, weighted, notation)));
                 }
             }
         }
         Value::Point(point) => {
             let head = notation.heading(arguments, name).unwrap_or_else(|| format!("\\text{{{}}}", name.replace('_', " ")));
-            lines.push(format!("{head} &= {}", notation.point(point)));
+            lines.push(format!("{head} &= {}", shown(point, weighted, notation)));
         }
         Value::Points(points) if !matches!(name, "left" | "right") => {
             lines.extend(points.iter().map(|point| notation.point(point)));
@@ -71,7 +98,7 @@ fn field<C: Coefficient>(
         }
         Value::List(values) => {
             for value in values {
-                field(name, value, arguments, notation, lines)?;
+                field(name, value, arguments, weighted, notation, lines)?;
             }
         }
         Value::Record(fields) => record(fields, arguments, notation, lines)?,
@@ -89,7 +116,7 @@ fn record<C: Coefficient>(
 ) -> Result<(), String> {
     let get = |name: &str| fields.iter().find(|(key, _)| *key == name).map(|(_, value)| value);
     let (Some(Value::Count(index)), Some(Value::Curve(curve))) = (get("index"), get("polynomial")) else {
-        return fields.iter().try_for_each(|(name, value)| field(name, value, arguments, notation, lines));
+        return fields.iter().try_for_each(|(name, value)| field(name, value, arguments, false, notation, lines));
     };
     lines.push(format!("B_{{{index}}}({}) &= {}", notation.variable, notation.curve(curve)));
     if let Some(Value::Record(maximum)) = get("maximum")
@@ -103,15 +130,46 @@ fn record<C: Coefficient>(
     Ok(())
 }
 
-fn piece<C: Coefficient>(segment: &Segment<C>, notation: &Notation, lines: &mut Vec<String>) {
-    let (r, s) = (segment.frame().r(), segment.frame().s());
-    lines.push(format!("r = {},\\; s &= {}", notation.number(r), notation.number(s)));
-    net(segment, notation, lines);
+fn shown<C: Coefficient>(point: &[C], weighted: bool, notation: &Notation) -> String {
+    if weighted { notation.weighted(point) } else { notation.point(point) }
 }
 
-fn net<C: Coefficient>(segment: &Segment<C>, notation: &Notation, lines: &mut Vec<String>) {
-    for (i, point) in segment.points().enumerate() {
-        let label = segment.label(i);
-        lines.push(format!("{label} &= {}", notation.point(point)));
+/// A label such as `f(r1;s2)` with its indices as subscripts.
+fn subscripts(label: &str) -> String {
+    let mut text = String::new();
+    for letter in label.chars() {
+        match letter {
+            '1' => text.push_str("_1"),
+            '2' => text.push_str("_2"),
+            other => text.push(other),
+        }
+    }
+    text
+}
+
+fn matrix<C: Coefficient>(rows: &[Vec<C>], notation: &Notation) -> String {
+    let row = |row: &Vec<C>| row.iter().map(|number| notation.number(number)).collect::<Vec<_>>().join(" & ");
+    format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.iter().map(row).collect::<Vec<_>>().join(" \\\\ "))
+}
+
+fn piece<C: Coefficient>(value: &Piece<C>, weighted: bool, notation: &Notation, lines: &mut Vec<String>) {
+    let numbers: Vec<String> = value.frame().numbers().into_iter().map(|number| notation.number(number)).collect();
+    lines.push(match value {
+        Piece::Curve(_) => format!("r = {},\\; s &= {}", numbers[0], numbers[1]),
+        Piece::Triangle(_) => {
+            format!("r = ({},{}),\\; s = ({},{}),\\; t &= ({},{})", numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5])
+        }
+        Piece::Rectangle(_) => {
+            format!("r_1 = {},\\; s_1 = {},\\; r_2 = {},\\; s_2 &= {}", numbers[0], numbers[1], numbers[2], numbers[3])
+        }
+    });
+    net(value, weighted, notation, lines);
+}
+
+fn net<C: Coefficient>(piece: &Piece<C>, weighted: bool, notation: &Notation, lines: &mut Vec<String>) {
+    let is_rectangle = matches!(piece, Piece::Rectangle(_));
+    for (label, point) in piece.labels().into_iter().zip(piece.points()) {
+        let label = if is_rectangle { subscripts(&label) } else { label };
+        lines.push(format!("{label} &= {}", shown(point, weighted, notation)));
     }
 }

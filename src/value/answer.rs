@@ -1,11 +1,13 @@
 //! What operations take and give.
 
-use crate::affine::{AffineMap, Interval, Parameter};
+use crate::affine::{AffineMap, Frame, Parameter, PlaneParameter};
 use crate::blossom::{PolarDefect, PolarForm};
 use crate::curve::Curve;
 use crate::exact::Rational;
+use crate::piece::{Equation, Piece};
+use crate::reading::Reading;
 use crate::scheme::Scheme;
-use crate::segment::Segment;
+use crate::surface::Surface;
 use crate::symbolic::{Polynomial, Symbol};
 
 /// One argument or one part of an answer.
@@ -15,38 +17,54 @@ pub enum Value<C = Rational> {
     Truth(bool),
     /// A small whole number: a degree, a depth, a count.
     Count(usize),
+    /// Several of these: a bidegree, the index of a control point.
+    Counts(Vec<usize>),
     /// A number, or a polynomial in symbolic parameters.
     Number(C),
     /// A list of numbers.
     Numbers(Vec<C>),
     /// A point or a vector.
     Point(Vec<C>),
-    /// Points without labels: a polyline, a hull.
+    /// Points without labels: a polyline, a hull, the control points of a curve.
     Points(Vec<Vec<C>>),
-    /// A frame of the parameter line.
-    Frame(Interval<C>),
-    /// Homogeneous arguments of a polar form.
+    /// The control points of a patch, row by row.
+    Rows(Vec<Vec<Vec<C>>>),
+    /// Rows of numbers.
+    Matrix(Vec<Vec<C>>),
+    /// A frame.
+    Frame(Frame<C>),
+    /// Homogeneous arguments of a polar form, on the line.
     Arguments(Vec<Parameter<C>>),
+    /// Homogeneous arguments of a polar form, in the plane.
+    PlaneArguments(Vec<PlaneParameter<C>>),
     /// A curve by its equation.
     Curve(Curve<C>),
-    /// The control points of a segment, where the frame is known from elsewhere.
-    Net(Segment<C>),
-    /// A segment with its frame.
-    Piece(Segment<C>),
+    /// A surface by its equation.
+    Surface(Surface<C>),
+    /// The control points of a piece, where the frame is known from elsewhere.
+    Net(Piece<C>),
+    /// A piece with its frame.
+    Piece(Piece<C>),
     /// Pieces in order.
-    Pieces(Vec<Segment<C>>),
+    Pieces(Vec<Piece<C>>),
     /// A polar form.
     Polar(PolarForm<C>),
-    /// The steps of de Casteljau's algorithm.
+    /// A polar form with the weights of homogeneous arguments.
+    HomogeneousPolar(PolarForm<C>),
+    /// A homogenized polynomial.
+    Homogeneous(Homogeneous<C>),
+    /// The steps of de Casteljau's algorithm on a curve.
     Scheme(Scheme<C>),
+    /// The steps of de Casteljau's algorithm on a patch.
+    Layers(Layers<C>),
     /// An affine map.
     Map(AffineMap<C>),
-    /// Polynomials in named variables: a claimed polar form, the equation of a line.
+    /// Polynomials in named variables: a claimed polar form, a weight.
     Expressions(Vec<Polynomial>),
-    /// The letter that the curve's parameter is written with.
-    Variable(Symbol),
-    /// What is wrong with a claimed polar form.
-    Defects(Vec<PolarDefect>),
+    /// The letters that the parameters are written with.
+    Variables(Vec<Symbol>),
+    /// What is wrong with a claimed polar form, in some reading.
+    Defects(Reading, Vec<PolarDefect>),
     /// A name from a fixed list.
     Word(&'static str),
     /// A finished document, such as a picture.
@@ -59,6 +77,26 @@ pub enum Value<C = Rational> {
     Nothing,
 }
 
+/// A homogenized polynomial: terms with an exponent for every letter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Homogeneous<C = Rational> {
+    /// The letters, each weight before what it belongs to.
+    pub letters: &'static [char],
+    /// The terms: exponents and coefficient.
+    pub terms: Vec<(Vec<usize>, C)>,
+}
+
+/// Points with their polar labels, row by row in each of several layers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layers<C = Rational> {
+    /// What a layer is called: "step", "layer".
+    pub name: &'static str,
+    /// The layers.
+    pub layers: Vec<Vec<Vec<(String, Vec<C>)>>>,
+    /// Whether the rows are part of the data, or each layer is one list.
+    pub in_rows: bool,
+}
+
 /// What an operation found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer<C = Rational> {
@@ -66,18 +104,35 @@ pub struct Answer<C = Rational> {
     pub fields: Vec<(&'static str, Value<C>)>,
     /// Whether a yes-or-no question was answered yes; `None` where none was asked.
     pub holds: Option<bool>,
+    /// Whether control points are homogeneous, their last coordinate being the weight.
+    pub weighted: bool,
 }
 
 impl<C> Answer<C> {
     /// An answer with these parts.
     #[must_use]
     pub fn new(fields: Vec<(&'static str, Value<C>)>) -> Self {
-        Self { fields, holds: None }
+        Self { fields, holds: None, weighted: false }
     }
 
     /// The same, answering a question.
     #[must_use]
     pub fn that_holds(self, holds: bool) -> Self {
         Self { holds: Some(holds), ..self }
+    }
+
+    /// The same, its control points being homogeneous or not.
+    #[must_use]
+    pub fn weighted(self, weighted: bool) -> Self {
+        Self { weighted, ..self }
+    }
+}
+
+impl<C> From<Equation<C>> for Value<C> {
+    fn from(equation: Equation<C>) -> Self {
+        match equation {
+            Equation::Curve(curve) => Self::Curve(curve),
+            Equation::Surface(surface) => Self::Surface(surface),
+        }
     }
 }

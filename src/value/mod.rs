@@ -3,5 +3,5 @@
 mod answer;
 mod arguments;
 
-pub use answer::{Answer, Value};
-pub use arguments::Arguments;
+pub use answer::{Answer, Homogeneous, Layers, Value};
+pub use arguments::{Arguments, Domain};

@@ -1,0 +1,20 @@
+//! Operations on rational pieces.
+
+use crate::error::Error;
+use crate::kernel::coefficient::Coefficient;
+use crate::value::{Answer, Arguments, Domain, Value};
+use crate::weights::projected;
+
+/// The point of a rational curve or patch: homogeneous first, divided last.
+pub(super) fn eval<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>, Error> {
+    let homogeneous = match (arguments.domain(), arguments.get("points")) {
+        (Domain::Curve, Some(_)) => arguments.segment()?.value(arguments.number("t")?)?,
+        (Domain::Curve, None) => arguments.curve()?.value(arguments.number("t")?),
+        (Domain::Triangle, Some(_)) => arguments.triangular()?.value(&arguments.parameter_point("a")?)?,
+        (Domain::Triangle, None) => arguments.surface()?.value(&arguments.parameter_point("a")?),
+        (Domain::Rectangle, Some(_)) => arguments.rectangular()?.value(arguments.number("u")?, arguments.number("v")?)?,
+        (Domain::Rectangle, None) => arguments.surface()?.value(&[arguments.number("u")?.clone(), arguments.number("v")?.clone()]),
+    };
+    let point = projected(&homogeneous).map_or(Value::Nothing, Value::Point);
+    Ok(Answer::new(vec![("homogeneous", Value::Point(homogeneous)), ("point", point)]))
+}

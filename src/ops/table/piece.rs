@@ -1,0 +1,112 @@
+//! Operations on pieces of every kind.
+
+use super::parameters::*;
+use super::{Growth, Kind, Operation, Run};
+use crate::ops::{geometry, numbers, picture, piece};
+use crate::value::Domain;
+
+const ALL: &[Domain] = &[Domain::Curve, Domain::Triangle, Domain::Rectangle];
+
+pub(super) const OPERATIONS: &[Operation] = &[
+    Operation {
+        name: "product",
+        verb: "product",
+        domains: ALL,
+        selected_by: &[],
+        doc: "The product of two curves or patches over one frame, in Bernstein form",
+        example: "casteljau product '[1, 2]' '(0,0) (1,2) (2,0)'",
+        parameters: &[EITHER_CURVE, EITHER_SURFACE, EITHER_POINTS, OVER, OTHER_CURVE, OTHER_SURFACE, OTHER_POINTS],
+        growth: Growth::Linear,
+        run: Run::Any(piece::product, piece::product),
+    },
+    Operation {
+        name: "transform",
+        verb: "transform",
+        domains: ALL,
+        selected_by: &[],
+        doc: "The image under an affine map of the plane or of space",
+        example: "casteljau transform '(0,0) (1,2) (2,0)' --map '(x + 2y, y - 1)'",
+        parameters: &[
+            EITHER_CURVE,
+            EITHER_SURFACE,
+            EITHER_POINTS,
+            OVER_POINTS,
+            required("map", Kind::Map, "map", "the image of (x, y) or (x, y, z) or (x1, x2, …)"),
+        ],
+        growth: Growth::Direct,
+        run: Run::Any(piece::transform, piece::transform),
+    },
+    Operation {
+        name: "equal",
+        verb: "equal",
+        domains: ALL,
+        selected_by: &[],
+        doc: "Whether two curves or surfaces, or pieces of them, are the same polynomial map",
+        example: "casteljau equal '(0,0) (1/2,0) (1,1)' '(t, t^2)'",
+        parameters: &[EITHER_CURVE, EITHER_SURFACE, EITHER_POINTS, OVER_POINTS, OTHER_CURVE, OTHER_SURFACE, OTHER_POINTS, OTHER_OVER],
+        growth: Growth::Linear,
+        run: Run::Any(piece::equal, piece::equal),
+    },
+    Operation {
+        name: "describe",
+        verb: "describe",
+        domains: ALL,
+        selected_by: &[],
+        doc: "Dimensions and degrees of a curve or surface",
+        example: "casteljau describe '(t, t^2, t^3)'",
+        parameters: &[EITHER_CURVE, EITHER_SURFACE, EITHER_POINTS, OVER_POINTS, DEGREE, BIDEGREE],
+        growth: Growth::Direct,
+        run: Run::Any(piece::describe, piece::describe),
+    },
+    Operation {
+        name: "contains",
+        verb: "contains",
+        domains: ALL,
+        selected_by: &[],
+        doc: "Where a parameter lies: inside a frame, on its edge, or outside",
+        example: "casteljau contains --over -1..3 --at 1/2",
+        parameters: &[OVER_REQUIRED, PLACE],
+        growth: Growth::Direct,
+        run: Run::Numeric(numbers::contains),
+    },
+    Operation {
+        name: "hull",
+        verb: "hull",
+        domains: ALL,
+        selected_by: &[],
+        doc: "The bounding box of the control points, and in the plane their convex hull",
+        example: "casteljau hull '(0,0) (0,1) (1,1) (1,0)' --contains '(1/2, 3/4)'",
+        parameters: &[
+            EITHER_CURVE,
+            EITHER_SURFACE,
+            EITHER_POINTS,
+            OVER,
+            optional("point", Kind::Point, "contains", "whether the hull contains this point of the plane"),
+        ],
+        growth: Growth::Direct,
+        run: Run::Numeric(geometry::hull),
+    },
+    Operation {
+        name: "plot",
+        verb: "plot",
+        domains: ALL,
+        selected_by: &[],
+        doc: "A picture of a curve with its control polygon, or of a patch with its control net",
+        example: "casteljau plot '(0,0) (-4,4) (-4,-12) (0,0)' --over -1..3 --at 1 -o cubic.svg",
+        parameters: &[
+            EITHER_CURVE,
+            EITHER_SURFACE,
+            EITHER_POINTS,
+            WEIGHTS,
+            WEIGHT,
+            DEGREE,
+            BIDEGREE,
+            OVER,
+            optional("t", Kind::Place, "at", "also the steps of de Casteljau's algorithm at this parameter"),
+            optional("depth", Kind::Count, "depth", "also the control polygons of this many subdivisions"),
+            optional("view", Kind::Numbers, "view", "azimuth and elevation in whole degrees, for a curve in space: 30,25 unless said"),
+        ],
+        growth: Growth::Linear,
+        run: Run::Numeric(picture::plot),
+    },
+];
