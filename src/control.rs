@@ -4,11 +4,12 @@ use smallvec::SmallVec;
 
 use crate::affine::{AffineMap, Vertices, Weights};
 use crate::error::Error;
+use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::kernel::layout::Layout;
 use crate::kernel::reframe::Reframe;
 use crate::kernel::shape::{Factor, Shape};
-use crate::kernel::task::{Casteljau, ChangeDegree, ChangeFrame, Edge, Faces, PolarValue, Product};
+use crate::kernel::task::{Casteljau, ChangeDegree, ChangeFrame, Edge, Faces, Grid, PolarValue, Product};
 
 /// The control points of a map, point by point in the order of the shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -177,6 +178,18 @@ impl<C: Coefficient> ControlNet<C> {
             coordinates = rest;
         }
         faces
+    }
+
+    /// The points of the map on a regular grid of the frame: in each factor the
+    /// combinations of the vertices with weights `k/steps`, in the order of a
+    /// net of degree `steps`.
+    pub(crate) fn grid(&self, steps: usize) -> Self {
+        let shape = Grid::target(&self.shape, steps);
+        let divisor = C::from(Rational::from(steps as i64));
+        let degree: usize = self.shape.factors.iter().map(|factor| factor.degree).sum();
+        let layout = Layout { divisors: SmallVec::from_elem(divisor, degree), ..Layout::constant(shape.clone(), C::unit()) };
+        let task = Grid { shape: self.shape.clone(), steps };
+        Self { coordinates: C::compute(&task, &self.coordinates, &[], &[layout]), shape }
     }
 
     /// The same map with another degree in a factor: a higher one, or for a

@@ -35,7 +35,7 @@
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
 //! | [`value`], `model` | what operations take and give; shapes in files |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `matrix`, `roots` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -63,6 +63,7 @@ mod flatness;
 mod hull;
 mod kernel;
 mod matrix;
+mod mesh;
 #[cfg(feature = "cli")]
 pub mod model;
 pub mod ops;
@@ -93,6 +94,7 @@ pub use flatness::Flattening;
 pub use hull::{ConvexHull, bounding_box};
 pub use kernel::coefficient::Coefficient;
 pub use matrix::bernstein_matrix;
+pub use mesh::Mesh;
 pub use piece::{Equation, Piece};
 pub use reading::{PolarTerm, Reading};
 pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, bidegree_label};

@@ -106,7 +106,13 @@ fn subcommand(verb: &'static str) -> Command {
             command.arg(Arg::new("expand").long("expand").action(ArgAction::SetTrue).help("Write out a polar form of more than 64 terms"));
     }
     if verb == "plot" {
-        command = command.arg(Arg::new("output").short('o').long("output").value_name("FILE.svg").help("Write the picture to a file"));
+        command = command.arg(
+            Arg::new("output")
+                .short('o')
+                .long("output")
+                .value_name("FILE")
+                .help("Write the picture to a .svg file, or the mesh of a surface to .obj or .glb"),
+        );
     }
     command
         .arg(

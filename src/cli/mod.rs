@@ -14,11 +14,12 @@ use std::process::ExitCode;
 
 use clap::ArgMatches;
 
+use crate::draw::glb;
 use crate::kernel::coefficient::Coefficient;
 use crate::report::{self, Notation};
 use crate::symbolic::Symbol;
 use crate::syntax::Style;
-use crate::value::{Answer, Arguments};
+use crate::value::{Answer, Arguments, Value};
 use diagnostic::Problem;
 use given::Given;
 
@@ -80,6 +81,9 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
 }
 
 fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
+    if let Some(path) = select::text_of(matches, "output") {
+        writable(path)?;
+    }
     let mut notes = Vec::new();
     let given = Given::of(verb, matches, "input", &mut notes)?;
     let other = Given::of(verb, matches, "other", &mut notes)?;
@@ -108,17 +112,27 @@ fn tell(note: &str) {
     let _ = writeln!(io::stderr(), "note: {note}");
 }
 
-fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<bool, Problem> {
-    let rendered = render(matches, arguments, answer)?;
-    match matches.try_get_one::<String>("output").ok().flatten() {
-        Some(path) => {
-            if !path.ends_with(".svg") {
-                return Err(Problem::plain(format!("pictures are written as SVG: `{path}` does not end in .svg")));
-            }
-            std::fs::write(path, &rendered).map_err(|error| Problem::plain(format!("cannot write `{path}`: {error}")))?;
-        }
-        None => print(rendered.as_bytes())?,
+/// Refuses a file whose ending says nothing about what to write into it.
+fn writable(path: &str) -> Result<(), Problem> {
+    if [".svg", ".obj", ".glb"].iter().any(|ending| path.ends_with(ending)) {
+        return Ok(());
     }
+    Err(Problem::plain(format!("pictures are written as .svg, meshes as .obj or .glb: `{path}` ends in none of these")))
+}
+
+fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<bool, Problem> {
+    let Some(path) = select::text_of(matches, "output") else {
+        print(render(matches, arguments, answer)?.as_bytes())?;
+        return Ok(answer.holds.unwrap_or(true));
+    };
+    let document = match answer.fields.as_slice() {
+        [(_, Value::Mesh(mesh))] if path.ends_with(".glb") => glb(mesh),
+        [(_, Value::Document(_))] if !path.ends_with(".svg") => {
+            return Err(Problem::plain("meshes are made of surfaces; this is a curve").with_help("pictures of curves are written as .svg"));
+        }
+        _ => render(matches, arguments, answer)?.into_bytes(),
+    };
+    std::fs::write(path, document).map_err(|error| Problem::plain(format!("cannot write `{path}`: {error}")))?;
     Ok(answer.holds.unwrap_or(true))
 }
 

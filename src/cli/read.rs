@@ -441,7 +441,9 @@ impl Reader<'_> {
         let Some(parameter) = self.operation.parameters.iter().find(|parameter| parameter.flag == "over") else { return Ok(()) };
         let given = |name| self.arguments.get(name).is_some();
         let equation = given("curve") || given("surface");
-        let needed = given("points") || (equation && parameter.kind == Kind::Frame);
+        // What these give does not depend on the frame of control points.
+        let free = matches!(self.operation.verb, "hull" | "elevate" | "product" | "reduce" | "symmetry" | "transform" | "matrix");
+        let needed = (given("points") && !free) || (equation && parameter.kind == Kind::Frame);
         match (self.arguments.any_frame(parameter.name).ok(), self.shape_frame.take()) {
             (Some(given), Some(file)) if *given != file => {
                 return Err(Problem::plain(format!("--over {given} contradicts the frame {file} of the shape file"))

@@ -43,7 +43,7 @@ pub(super) fn select(verb: &str, given: Option<&Given>, weighted: bool, matches:
             return Err(misplaced(verb, operation, parameter, domain, matches));
         }
     }
-    if weighted && operation.parameter("weights").is_none() {
+    if weighted && operation.parameter("weights").is_none() && operation.parameter("weight").is_none() {
         return Err(Problem::plain(format!("`{verb}` takes polynomial shapes here, without weights")));
     }
     Ok(Selection { operation, domain, chose_reading })
@@ -52,6 +52,8 @@ pub(super) fn select(verb: &str, given: Option<&Given>, weighted: bool, matches:
 /// Whether one of the arguments is there that make a command mean an operation.
 fn is_selected(operation: &Operation, weighted: bool, matches: &ArgMatches) -> bool {
     operation.selected_by.iter().any(|selector| match selector.split_once('=') {
+        // The ending of a file says what is to be written into it.
+        Some((flag, ending)) if ending.starts_with('.') => text_of(matches, flag).is_some_and(|path| path.ends_with(ending)),
         Some((flag, word)) => is_given(matches, flag) && text_of(matches, flag).is_some_and(|given| given == word),
         None if *selector == "weights" => weighted,
         None => operation.parameter(selector).is_some_and(|parameter| is_given(matches, parameter.flag)),

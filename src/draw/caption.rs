@@ -44,6 +44,11 @@ impl Caption {
         Self { title, notes, keys }
     }
 
+    /// A caption with these lines.
+    pub(super) fn of(title: String, notes: Vec<String>) -> Self {
+        Self { title, notes, keys: Vec::new() }
+    }
+
     /// What the picture is called.
     pub(super) fn title(&self) -> &str {
         &self.title

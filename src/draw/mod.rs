@@ -1,6 +1,7 @@
 //! Pictures.
 //!
-//! Curves are drawn as SVG that needs nothing else. Whatever decides where a
+//! Curves and patches are drawn as SVG that needs nothing else, meshes written
+//! as OBJ and glTF. Whatever decides where a
 //! point lies is computed exactly; floats are used only for the coordinates of
 //! ink, after the bounding box has been mapped to the paper.
 
@@ -11,7 +12,9 @@ mod caption;
 mod curve;
 mod label;
 mod mark;
+mod model;
 mod number;
+mod patch;
 mod scene;
 mod space;
 mod style;
@@ -23,3 +26,5 @@ mod view;
 mod tests;
 
 pub use curve::CurvePicture;
+pub use model::{glb, obj};
+pub use patch::PatchPicture;

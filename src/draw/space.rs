@@ -23,6 +23,8 @@ pub(super) struct Space {
     ranges: [(Rational, Rational); 3],
     steps: [Step; 3],
     map: AffineMap,
+    /// How far toward the eye a point is, in the units of the plane.
+    depth: AffineMap,
     /// Whether the side of the box that is closer to the eye is the upper one, for x and y.
     upper_is_near: [bool; 2],
 }
@@ -65,20 +67,26 @@ impl Space {
         }
         let (sin, cos) = f64::from(azimuth.rem_euclid(360)).to_radians().sin_cos();
         let (rise, run) = f64::from(elevation.rem_euclid(360)).to_radians().sin_cos();
-        let rows = [[-sin, cos, 0.0], [-rise * cos, -rise * sin, run]];
+        let rows = [[-sin, cos, 0.0], [-rise * cos, -rise * sin, run], [run * cos, run * sin, rise]];
         let longest = ranges.iter().map(|(low, high)| high - low).max().unwrap_or_else(Rational::one);
         let scaled = |row: &[f64; 3]| -> Vec<Rational> {
             let length = |(low, high): &(Rational, Rational)| if thin { high - low } else { longest.clone() };
             row.iter().zip(&ranges).map(|(entry, range)| rounded(*entry) / length(range)).collect()
         };
-        let rows: Vec<Vec<Rational>> = rows.iter().map(scaled).collect();
+        let mut rows: Vec<Vec<Rational>> = rows.iter().map(scaled).collect();
+        let depth = AffineMap::new(rows.split_off(2), vec![Rational::zero()])?;
         let map = AffineMap::new(rows, vec![Rational::zero(), Rational::zero()])?;
-        Ok(Self { ranges, steps, map, upper_is_near: [cos * run >= 0.0, sin * run >= 0.0] })
+        Ok(Self { ranges, steps, map, depth, upper_is_near: [cos * run >= 0.0, sin * run >= 0.0] })
     }
 
     /// The point of the plane that a point is seen at.
     pub(super) fn flat(&self, point: &[Rational]) -> Result<Vec<Rational>, Error> {
         self.map.apply(point)
+    }
+
+    /// How far toward the eye a point is.
+    pub(super) fn toward(&self, point: &[Rational]) -> Result<Rational, Error> {
+        Ok(self.depth.apply(point)?.swap_remove(0))
     }
 
     /// The point of the floor below a point.

@@ -27,6 +27,11 @@ pub(super) const POINT: &str = "#c2184b";
 /// The pieces of a subdivision, in turn.
 pub(super) const PIECES: [&str; 2] = ["#7a5ba6", "#2f8f7f"];
 
+/// The front of a surface, in the dark and in the light.
+pub(super) const FRONT: ([f64; 3], [f64; 3]) = ([96.0, 132.0, 178.0], [226.0, 236.0, 248.0]);
+/// The back of a surface.
+pub(super) const BACK: ([f64; 3], [f64; 3]) = ([178.0, 140.0, 96.0], [250.0, 238.0, 218.0]);
+
 /// The size of the title.
 pub(super) const TITLE_SIZE: f64 = 17.0;
 /// The size of the lines below the title.

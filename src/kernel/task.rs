@@ -398,6 +398,42 @@ impl Task for Value {
     }
 }
 
+/// The form's values on the grid of all weights with a given sum: in each
+/// factor every way to share `steps` among its vertices, in the order of a net
+/// of that degree.
+pub(crate) struct Grid {
+    pub(crate) shape: Shape,
+    pub(crate) steps: usize,
+}
+
+impl Grid {
+    /// The shape of the grid: a net of degree `steps` in every factor.
+    pub(crate) fn target(shape: &Shape, steps: usize) -> Shape {
+        let factors = shape.factors.iter().map(|factor| Factor { degree: steps, ..*factor }).collect();
+        Shape { factors, stride: shape.stride }
+    }
+}
+
+impl Task for Grid {
+    fn growth<R: Ring>(&self, _: &[R]) -> Magnitude {
+        let steps = Magnitude::from(self.steps.max(1) as u64);
+        // The tables of powers go one further than what is used of them.
+        self.shape.factors.iter().fold(multinomial_growth(&self.shape), |growth, factor| growth.times(steps.power(factor.degree + 1)))
+    }
+
+    fn run<R: Ring>(&self, numerators: Vec<R>, _: &[R]) -> Vec<R> {
+        let form = form_of_net(&self.shape, numerators);
+        let mut values = Vec::with_capacity(Self::target(&self.shape, self.steps).points() * self.shape.stride);
+        let mut weights: SmallVec<[R; 6]> = SmallVec::new();
+        Self::target(&self.shape, self.steps).for_each(|shares| {
+            weights.clear();
+            weights.extend(shares.iter().map(|&share| R::from_count(share)));
+            values.append(&mut form.value(&weights));
+        });
+        values
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

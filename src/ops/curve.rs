@@ -55,7 +55,8 @@ pub(super) fn casteljau<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> 
     let scheme = arguments.segment()?.scheme(arguments.number("t")?)?;
     let list = |points: Vec<&[C]>| Value::Points(points.into_iter().map(<[C]>::to_vec).collect());
     let (point, left, right) = (scheme.point().to_vec(), list(scheme.left().collect()), list(scheme.right().collect()));
-    Ok(Answer::new(vec![("layers", Value::Scheme(scheme)), ("point", Value::Point(point)), ("left", left), ("right", right)]))
+    let fields = vec![("layers", Value::Scheme(scheme)), ("point", Value::Point(point)), ("left", left), ("right", right)];
+    Ok(Answer::new(fields).weighted(arguments.is_weighted()))
 }
 
 pub(super) fn split<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {

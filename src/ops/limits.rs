@@ -164,6 +164,10 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
         Growth::Basis if arguments.get("index").is_some() => Some(one),
         Growth::Basis => one.checked_mul(size.points),
         Growth::Scheme => one.checked_mul(size.degree + 2).map(|all| all / 2),
+        Growth::Grid => u32::try_from(size.depth).ok().and_then(|depth| {
+            let side = 2usize.checked_pow(depth)?.checked_add(1)?;
+            side.checked_mul(side)?.checked_mul(size.dimension.max(3))
+        }),
         Growth::Doubling => {
             let parts: usize = if arguments.domain() == Domain::Curve { 2 } else { 4 };
             u32::try_from(size.depth).ok().and_then(|depth| parts.checked_pow(depth)).and_then(|pieces| pieces.checked_mul(one))
@@ -185,6 +189,7 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
         // Control points over a frame are made of all coefficients, whoever asks.
         Growth::Direct if arguments.get("frame").is_none() => 1,
         Growth::Direct | Growth::Linear | Growth::Doubling => size.degree as u64 + 1,
+        Growth::Grid => size.points as u64,
         // Long fractions are reduced one by one, which costs more than making them.
         Growth::Scheme => 16,
         Growth::Basis => 2 * (size.degree as u64 + 1),

@@ -1,28 +1,55 @@
 //! Pictures as answers.
 
-use crate::draw::CurvePicture;
+use crate::draw::{CurvePicture, PatchPicture};
 use crate::error::Error;
 use crate::exact::Rational;
+use crate::mesh::Mesh;
+use crate::piece::Piece;
 use crate::value::{Answer, Arguments, Value};
 
 pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
-    let mut picture = CurvePicture::new(arguments.segment()?);
-    if let Ok(t) = arguments.numbers("t") {
-        let [t] = t.as_slice() else {
-            return Err(Error::WrongCount { what: "parameters", expected: 1, found: t.len() });
-        };
-        picture = picture.with_scheme(t.clone());
+    let (piece, weighted) = (arguments.piece()?, arguments.is_weighted());
+    let (at, depth) = (arguments.numbers("t").ok().map(Vec::as_slice), arguments.count("depth").ok().copied());
+    let view = arguments.numbers("view").ok().map(|angles| view(angles)).transpose()?;
+    let wrong_count = |found: usize| Error::WrongCount { what: "parameters", expected: if found == 1 { 2 } else { 1 }, found };
+    let svg = match piece {
+        Piece::Curve(_) if weighted => {
+            return Err(Error::Unsupported("curves with weights are not drawn yet; patches with weights are".into()));
+        }
+        Piece::Curve(segment) => {
+            let mut picture = CurvePicture::new(segment);
+            match at {
+                Some([t]) => picture = picture.with_scheme(t.clone()),
+                Some(other) => return Err(wrong_count(other.len())),
+                None => {}
+            }
+            picture = depth.into_iter().fold(picture, CurvePicture::with_subdivision);
+            view.into_iter().fold(picture, |picture, [azimuth, elevation]| picture.with_view(azimuth, elevation)).svg()?
+        }
+        patch => {
+            let mut picture = PatchPicture::new(patch, weighted);
+            match at {
+                Some([u, v]) => picture = picture.with_point([u.clone(), v.clone()]),
+                Some(other) => return Err(wrong_count(other.len())),
+                None => {}
+            }
+            picture = depth.into_iter().fold(picture, PatchPicture::with_subdivision);
+            view.into_iter().fold(picture, |picture, [azimuth, elevation]| picture.with_view(azimuth, elevation)).svg()?
+        }
+    };
+    Ok(Answer::new(vec![("svg", Value::Document(svg))]))
+}
+
+pub(super) fn mesh(arguments: &Arguments) -> Result<Answer, Error> {
+    let depth = arguments.count("depth").copied().unwrap_or(4);
+    Ok(Answer::new(vec![("mesh", Value::Mesh(Mesh::of(&arguments.piece()?, arguments.is_weighted(), depth)?))]))
+}
+
+fn view(angles: &[Rational]) -> Result<[i32; 2], Error> {
+    match angles {
+        [azimuth, elevation] => Ok([degrees(azimuth)?, degrees(elevation)?]),
+        other => Err(Error::WrongCount { what: "angles", expected: 2, found: other.len() }),
     }
-    if let Ok(&depth) = arguments.count("depth") {
-        picture = picture.with_subdivision(depth);
-    }
-    if let Ok(angles) = arguments.numbers("view") {
-        let [azimuth, elevation] = angles.as_slice() else {
-            return Err(Error::WrongCount { what: "angles", expected: 2, found: angles.len() });
-        };
-        picture = picture.with_view(degrees(azimuth)?, degrees(elevation)?);
-    }
-    Ok(Answer::new(vec![("svg", Value::Document(picture.svg()?))]))
 }
 
 /// A whole number of degrees, at most a full turn either way.

@@ -125,6 +125,10 @@ fn encode<C: Coefficient>(value: &Value<C>, weighted: bool) -> Result<Json, Erro
         }
         Value::Scheme(scheme) => scheme.layers().map(|layer| layer.map(point).collect::<Json>()).collect(),
         Value::Layers(value) => layers(value),
+        Value::Mesh(mesh) => json!({
+            "vertices": mesh.vertices().iter().map(|vertex| point(vertex)).collect::<Json>(),
+            "triangles": mesh.triangles(),
+        }),
         Value::Defects(_, defects) => defects.iter().map(defect).collect(),
         Value::List(values) => values.iter().map(|value| encode(value, weighted)).collect::<Result<Json, _>>()?,
         Value::Record(fields) => record(fields)?,

@@ -53,6 +53,12 @@ fn expression<C: Coefficient>(value: &Value<C>, notation: &Notation) -> String {
             list(&(0..polar.dimension()).map(|index| notation.homogeneous_polar(polar, index)).collect::<Vec<_>>())
         }
         Value::Homogeneous(form) => notation.homogeneous(form),
+        Value::Mesh(mesh) => {
+            let vertices: Vec<String> = mesh.vertices().iter().map(|vertex| point(vertex, notation)).collect();
+            let corners = |triangle: &[u32; 3]| list(&triangle.map(|index| (index + 1).to_string()));
+            let triangles: Vec<String> = mesh.triangles().iter().map(corners).collect();
+            format!("MeshRegion[{}, Triangle[{}]]", list(&vertices), list(&triangles))
+        }
         Value::Layers(layers) => {
             let row = |row: &Vec<(String, Vec<C>)>| points(&mut row.iter().map(|entry| entry.1.as_slice()));
             let layer = |layer: &Vec<Vec<(String, Vec<C>)>>| list(&layer.iter().map(row).collect::<Vec<_>>());

@@ -4,6 +4,7 @@ use super::decimal::decimal;
 use super::formula::Notation;
 use crate::affine::{Frame, Interval};
 use crate::blossom::{PolarDefect, PolarForm};
+use crate::draw::obj;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::Piece;
@@ -109,6 +110,7 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Homogeneous(form) => self.homogeneous(name, form),
             Value::Scheme(scheme) => self.scheme(scheme),
             Value::Layers(layers) => self.layers(layers),
+            Value::Mesh(mesh) => self.lines.push(obj(mesh).trim_end().to_owned()),
             Value::Defects(reading, defects) => defects.iter().for_each(|defect| self.defect(*reading, defect)),
             Value::Document(text) if name == "label" => self.lines.push(format!("the control point {text}")),
             Value::Document(text) => self.lines.push(text.trim_end().to_owned()),

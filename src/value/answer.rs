@@ -4,6 +4,7 @@ use crate::affine::{AffineMap, Frame, Parameter, PlaneParameter};
 use crate::blossom::{PolarDefect, PolarForm};
 use crate::curve::Curve;
 use crate::exact::Rational;
+use crate::mesh::Mesh;
 use crate::piece::{Equation, Piece};
 use crate::reading::Reading;
 use crate::scheme::Scheme;
@@ -57,6 +58,8 @@ pub enum Value<C = Rational> {
     Scheme(Scheme<C>),
     /// The steps of de Casteljau's algorithm on a patch.
     Layers(Layers<C>),
+    /// A triangle mesh.
+    Mesh(Mesh),
     /// An affine map.
     Map(AffineMap<C>),
     /// Polynomials in named variables: a claimed polar form, a weight.

@@ -482,6 +482,7 @@ fn convert<A: Coefficient, B: Coefficient, E>(value: &Value<A>, number: &mut imp
         | Value::Homogeneous(_)
         | Value::Scheme(_)
         | Value::Layers(_)
+        | Value::Mesh(_)
         | Value::Defects(..)
         | Value::List(_)
         | Value::Record(_)

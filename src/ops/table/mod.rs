@@ -116,6 +116,8 @@ pub enum Growth {
     Basis,
     /// Twice as much for a curve at every depth, four times as much for a patch.
     Doubling,
+    /// The points of a grid with twice as many steps at every depth.
+    Grid,
 }
 
 /// One operation.

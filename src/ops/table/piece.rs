@@ -7,6 +7,8 @@ use crate::value::Domain;
 
 const ALL: &[Domain] = &[Domain::Curve, Domain::Triangle, Domain::Rectangle];
 
+const SURFACES: &[Domain] = &[Domain::Triangle, Domain::Rectangle];
+
 pub(super) const OPERATIONS: &[Operation] = &[
     Operation {
         name: "product",
@@ -108,5 +110,25 @@ pub(super) const OPERATIONS: &[Operation] = &[
         ],
         growth: Growth::Linear,
         run: Run::Numeric(picture::plot),
+    },
+    Operation {
+        name: "mesh",
+        verb: "plot",
+        domains: SURFACES,
+        selected_by: &["output=.obj", "output=.glb"],
+        doc: "The triangles of a patch after some rounds of subdivision, with exact vertices; as Wavefront OBJ or glTF",
+        example: "casteljau plot 'z = x^3 - 3xy^2' --over '-1..1, -1..1' --depth 5 -o saddle.obj",
+        parameters: &[
+            EITHER_SURFACE,
+            EITHER_POINTS,
+            WEIGHTS,
+            WEIGHT,
+            DEGREE,
+            BIDEGREE,
+            OVER,
+            optional("depth", Kind::Count, "depth", "the rounds of subdivision (4 unless said)"),
+        ],
+        growth: Growth::Grid,
+        run: Run::Numeric(picture::mesh),
     },
 ];
