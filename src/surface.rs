@@ -64,8 +64,7 @@ impl<C: Coefficient> Surface<C> {
         if dimension == 0 || matches!(reading, Reading::Curve(_)) {
             return Err(Error::WrongShape("a surface needs at least one coordinate, and a total degree or a bidegree".into()));
         }
-        let exponents = || coordinates.iter().flatten().filter(|(_, _, c)| !c.is_nothing()).map(|&(h, k, _)| (h, k));
-        check_reading(reading, exponents())?;
+        check_reading(reading, largest_degrees(coordinates.iter().flatten()))?;
         check_size(reading, dimension)?;
         let mut surface = Self { reading, dimension, coefficients: vec![C::nothing(); reading.points() * dimension] };
         for (position, terms) in coordinates.into_iter().enumerate() {
@@ -82,7 +81,7 @@ impl<C: Coefficient> Surface<C> {
     /// # Errors
     /// As for [`Surface::new`].
     pub fn total(coordinates: Vec<Vec<Term<C>>>) -> Result<Self, Error> {
-        let degree = coordinates.iter().flatten().map(|&(h, k, _)| h + k).max().unwrap_or(0);
+        let degree = largest_degrees(coordinates.iter().flatten()).2;
         Self::new(Reading::Total(degree), coordinates)
     }
 
@@ -91,8 +90,8 @@ impl<C: Coefficient> Surface<C> {
     /// # Errors
     /// As for [`Surface::new`].
     pub fn tensor(coordinates: Vec<Vec<Term<C>>>) -> Result<Self, Error> {
-        let largest = |exponent: fn(&Term<C>) -> usize| coordinates.iter().flatten().map(exponent).max().unwrap_or(0);
-        let reading = Reading::Bidegree(largest(|term| term.0), largest(|term| term.1));
+        let (p, q, _) = largest_degrees(coordinates.iter().flatten());
+        let reading = Reading::Bidegree(p, q);
         Self::new(reading, coordinates)
     }
 
@@ -360,8 +359,7 @@ impl<C: Coefficient> Surface<C> {
     pub fn with_coordinate(&self, terms: Vec<Term<C>>) -> Result<Self, Error> {
         let kept = |index| self.terms(index).into_iter().map(|(h, k, c)| (h, k, c.clone())).collect();
         let mut coordinates: Vec<Vec<Term<C>>> = (0..self.dimension).map(kept).collect();
-        let largest =
-            terms.iter().filter(|(_, _, c)| !c.is_nothing()).fold((0, 0, 0), |(p, q, m), &(h, k, _)| (p.max(h), q.max(k), m.max(h + k)));
+        let largest = largest_degrees(terms.iter());
         let reading = match self.reading {
             Reading::Bidegree(p, q) => Reading::Bidegree(p.max(largest.0), q.max(largest.1)),
             Reading::Total(m) | Reading::Curve(m) => Reading::Total(m.max(largest.2)),
@@ -460,8 +458,13 @@ fn common_multiple(numbers: &[BigInt]) -> BigInt {
     })
 }
 
-fn check_reading(reading: Reading, exponents: impl Iterator<Item = (usize, usize)>) -> Result<(), Error> {
-    let needed = exponents.fold((0, 0, 0), |(p, q, m), (h, k)| (p.max(h), q.max(k), m.max(h + k)));
+/// The largest degrees of terms that are not zero: in each variable, and in both together.
+fn largest_degrees<'t, C: Coefficient + 't>(terms: impl Iterator<Item = &'t Term<C>>) -> (usize, usize, usize) {
+    let nonzero = terms.filter(|(_, _, c)| !c.is_nothing());
+    nonzero.fold((0, 0, 0), |(p, q, m), &(h, k, _)| (p.max(h), q.max(k), m.max(h + k)))
+}
+
+fn check_reading(reading: Reading, needed: (usize, usize, usize)) -> Result<(), Error> {
     match reading {
         Reading::Total(asked) if asked < needed.2 => Err(Error::DegreeTooLow { asked, needed: needed.2 }),
         Reading::Bidegree(p, q) if p < needed.0 || q < needed.1 => {

@@ -132,8 +132,7 @@ impl Reader<'_> {
                     rows.iter().enumerate().flat_map(row).collect()
                 };
                 let lists: Vec<Vec<Term<Polynomial>>> = map.components.iter().map(terms).collect();
-                let surface =
-                    if self.domain == Domain::Triangle { Surface::total(nonzero(lists))? } else { Surface::tensor(nonzero(lists))? };
+                let surface = if self.domain == Domain::Triangle { Surface::total(lists)? } else { Surface::tensor(lists)? };
                 self.arguments.insert(names.surface, Value::Surface(surface));
             }
             (Variables::Curve(_), Domain::Triangle | Domain::Rectangle) => {
@@ -479,11 +478,6 @@ impl Reader<'_> {
             ));
         }
     }
-}
-
-/// The terms without zeros, which would count for the degrees.
-fn nonzero(lists: Vec<Vec<Term<Polynomial>>>) -> Vec<Vec<Term<Polynomial>>> {
-    lists.into_iter().map(|terms| terms.into_iter().filter(|(_, _, c)| !c.is_empty()).collect()).collect()
 }
 
 fn parameters_wanted(name: &str, domain: Domain, found: usize) -> Problem {

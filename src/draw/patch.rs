@@ -1,7 +1,5 @@
 //! Pictures of patches in space.
 
-use std::collections::HashMap;
-
 use super::bezier::{Point, mix, polygon};
 use super::caption::Caption;
 use super::label::{Obstacles, draw_labels};
@@ -196,15 +194,13 @@ impl PatchPicture {
     /// The pieces of the surface and the lines on it.
     fn facets(&self, surface: &[Seen], steps: usize) -> Vec<Item> {
         let mut items = Vec::new();
-        // The nearest facet beside every edge: a line on the surface lies just before it.
-        let mut beside: HashMap<[usize; 2], f64> = HashMap::new();
+        // The nearest facet around every vertex: a line on the surface lies just before it.
+        let mut around = vec![f64::NEG_INFINITY; surface.len()];
         for triangle in triangles(&self.piece, steps) {
             let corners = triangle.map(|index| surface[index as usize]);
             let near = corners.iter().map(|corner| corner.near).sum::<f64>() / 3.0;
-            for side in 0..3 {
-                let mut edge = [triangle[side] as usize, triangle[(side + 1) % 3] as usize];
-                edge.sort_unstable();
-                let nearest = beside.entry(edge).or_insert(near);
+            for index in triangle {
+                let nearest = &mut around[index as usize];
                 *nearest = nearest.max(near);
             }
             let points = corners.iter().map(|corner| corner.at).collect();
@@ -212,10 +208,8 @@ impl PatchPicture {
         }
         if self.depth.is_none() {
             for (from, to, is_edge) in self.surface_lines(steps) {
-                let mut edge = [from, to];
-                edge.sort_unstable();
+                let near = around[from].max(around[to]) + 1e-6;
                 let (from, to) = (surface[from], surface[to]);
-                let near = beside.get(&edge).copied().unwrap_or((from.near + to.near) / 2.0) + 1e-6;
                 let width = if is_edge { 2.0 } else { 0.9 };
                 items.push(Item { near, ink: Ink::Line(from.at, to.at, style::CURVE, width) });
             }
