@@ -65,21 +65,28 @@ fn every_command_of_the_readme_prints_what_it_shows() {
     let (text, commands) = replayed(&document, &folder);
     assert!(commands >= 12, "only {commands} commands");
     agree("README.md", &text);
-    let picture = std::fs::read_to_string(folder.join("cubic.svg")).expect("the README plots a picture");
-    agree("docs/cubic.svg", &picture);
+    for name in ["cubic.svg", "saddle.svg"] {
+        let picture = std::fs::read_to_string(folder.join(name)).expect("the README plots a picture");
+        agree(&format!("docs/{name}"), &picture);
+    }
+    assert!(std::fs::read(folder.join("saddle.glb")).expect("the README writes a mesh").starts_with(b"glTF"));
 }
 
 #[test]
 fn the_operations_are_those_of_the_table() {
     let mut text = String::from(
         "# Operations\n\n\
-         Every operation, made from the table in `src/ops/table.rs`. A command and `casteljau batch` carry out the same operation:\n\
+         Every operation, made from the table in `src/ops/table/`. A command and `casteljau batch` carry out the same operation:\n\
          `{\"id\": …, \"op\": NAME, \"input\": {…}}` is answered by `{\"id\": …, \"op\": NAME, \"output\": {…}}` or\n\
          `{\"id\": …, \"error\": {\"code\": …, \"message\": …}}`, one a line, in order.\n\n\
          A number is a string (`\"7/3\"`, `\"0.25\"`) or a JSON number, read digit by digit; answers have strings in lowest terms. A curve is\n\
          `{\"degree\": m, \"coeffs\": [[c0, …, cm], …]}`, one list a coordinate, ascending powers; control points are a list of points\n\
-         (a plain number is a point of the line); a frame is `[r, s]`. An affine map is `{\"matrix\": [[…], …], \"shift\": […]}`, a line or plane\n\
-         `{\"normal\": […], \"offset\": c}`, a homogeneous argument `[t, w]`, a claimed polar form a list of texts, one a coordinate.\n\n\
+         (a plain number is a point of the line); a frame is `[r, s]`. A surface is `{\"degree\": m or [p, q], \"terms\": [[[h, k, c], …], …]}`,\n\
+         one list of terms c u^h v^k a coordinate; a control net is a list of rows, in triangles the points f(r^i s^j t^(m-i-j)) with i for the\n\
+         row, in rectangles f(r1^(p-i) s1^i; r2^(q-j) s2^j); a frame is `[r, s, t]` with points `[u, v]`, or `[[r1, s1], [r2, s2]]`.\n\
+         Where weights are given, the answer's points are `homogeneous_points`, each `[w x, …, w]`. An affine map is\n\
+         `{\"matrix\": [[…], …], \"shift\": […]}`, a line or plane `{\"normal\": […], \"offset\": c}`, a homogeneous argument `[t, w]` or `[u, v, w]`,\n\
+         a claimed polar form a list of texts, one a coordinate.\n\n\
          Error codes: bad-json, unknown-op, missing-field, unknown-field, bad-number, wrong-shape, wrong-count, degenerate-frame,\n\
          degree-too-low, unsupported, too-large.\n",
     );

@@ -322,13 +322,16 @@ impl Reader<'_> {
         let frame = frame_of(text, name)?;
         let found = super::given::domain_of(&frame);
         // A conversion and a frame alone may be of any kind.
-        let free =
-            self.operation.verb == "convert" || self.operation.parameter("points").is_none() && self.operation.parameter("curve").is_none();
+        let shapes = ["points", "curve", "surface"];
+        let free = self.operation.verb == "convert" || !shapes.iter().any(|name| self.operation.parameter(name).is_some());
         if found == self.domain || free && parameter.name != "new_frame" {
             return Ok(Value::Frame(frame));
         }
         Err(Problem::plain(match self.domain {
             Domain::Curve => format!("{name} takes the frame r..s of a curve, such as -1..3"),
+            _ if found == Domain::Curve => {
+                format!("{name} takes a triangle '(1,0) (0,1) (0,0)' or a rectangle '0..1, 0..1' here: this is a surface")
+            }
             Domain::Triangle => format!("{name} takes a triangle here, such as '(1,0) (0,1) (0,0)'"),
             Domain::Rectangle => format!("{name} takes a rectangle here, such as '0..1, 0..1'"),
         }))

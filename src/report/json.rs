@@ -20,8 +20,11 @@ pub fn output<C: Coefficient>(answer: &Answer<C>) -> Result<Json, Error> {
     let mut object = Map::new();
     for (name, value) in &answer.fields {
         // Control points with weights are named as what they are.
-        let name = if answer.weighted && *name == "points" { "homogeneous_points" } else { name };
-        object.insert(name.to_owned(), encode(value, answer.weighted)?);
+        let name = match *name {
+            "points" | "curve" | "surface" if answer.weighted => format!("homogeneous_{name}"),
+            name => name.to_owned(),
+        };
+        object.insert(name, encode(value, answer.weighted)?);
     }
     Ok(Json::Object(object))
 }

@@ -38,6 +38,14 @@ fn field<C: Coefficient>(
                 lines.push(format!("{head} &= {body}"));
             }
         }
+        Value::Curve(curve) if weighted => {
+            let all: Vec<String> = (0..curve.dimension()).map(|index| notation.coordinate(curve, index)).collect();
+            quotients(&format!("({})", notation.variable), &all, notation, lines);
+        }
+        Value::Surface(surface) if weighted => {
+            let all: Vec<String> = (0..surface.dimension()).map(|index| notation.surface_coordinate(surface, index)).collect();
+            quotients(&format!("({})", notation.variables.map(|variable| variable.to_string()).join(",")), &all, notation, lines);
+        }
         Value::Curve(curve) => {
             let head = notation.heading(arguments, name).unwrap_or_else(|| "F".to_owned());
             let (letter, rest) = head.split_at(1);
@@ -115,19 +123,40 @@ fn record<C: Coefficient>(
     lines: &mut Vec<String>,
 ) -> Result<(), String> {
     let get = |name: &str| fields.iter().find(|(key, _)| *key == name).map(|(_, value)| value);
-    let (Some(Value::Count(index)), Some(Value::Curve(curve))) = (get("index"), get("polynomial")) else {
-        return fields.iter().try_for_each(|(name, value)| field(name, value, arguments, false, notation, lines));
+    let (index, letters, body) = match (get("index"), get("polynomial")) {
+        (Some(Value::Count(k)), Some(Value::Curve(curve))) => (k.to_string(), notation.variable.to_string(), notation.curve(curve)),
+        (Some(Value::Counts(index)), Some(Value::Surface(surface))) => (
+            index.iter().map(usize::to_string).collect::<Vec<_>>().join(","),
+            notation.variables.map(|variable| variable.to_string()).join(","),
+            notation.surface(surface),
+        ),
+        _ => return fields.iter().try_for_each(|(name, value)| field(name, value, arguments, false, notation, lines)),
     };
-    lines.push(format!("B_{{{index}}}({}) &= {}", notation.variable, notation.curve(curve)));
+    lines.push(format!("B_{{{index}}}({letters}) &= {body}"));
     if let Some(Value::Record(maximum)) = get("maximum")
-        && let [(_, Value::Number(t)), (_, Value::Number(value))] = maximum.as_slice()
+        && let [(_, at), (_, Value::Number(value))] = maximum.as_slice()
     {
-        lines.push(format!("\\max B_{{{index}}} = B_{{{index}}}({}) &= {}", notation.number(t), notation.number(value)));
+        let at = match at {
+            Value::Number(t) => notation.number(t),
+            Value::Point(place) => place.iter().map(|number| notation.number(number)).collect::<Vec<_>>().join(","),
+            _ => String::new(),
+        };
+        lines.push(format!("\\max B_{{{index}}} = B_{{{index}}}({at}) &= {}", notation.number(value)));
     }
-    if let (Some(Value::Number(value)), Ok(t)) = (get("value"), arguments.number("t")) {
-        lines.push(format!("B_{{{index}}}({}) &= {}", notation.number(t), notation.number(value)));
+    if let (Some(Value::Number(value)), Ok(t)) = (get("value"), arguments.numbers("t")) {
+        let at: Vec<String> = t.iter().map(|number| notation.number(number)).collect();
+        lines.push(format!("B_{{{index}}}({}) &= {}", at.join(","), notation.number(value)));
     }
     Ok(())
+}
+
+/// The coordinates of a rational map over the last one.
+fn quotients(rest: &str, all: &[String], notation: &Notation, lines: &mut Vec<String>) {
+    let Some((weight, coordinates)) = all.split_last() else { return };
+    for (index, coordinate) in coordinates.iter().enumerate() {
+        let name = notation.name('F', index, coordinates.len());
+        lines.push(format!("{name}{rest} &= \\frac{{{coordinate}}}{{{weight}}}"));
+    }
 }
 
 fn shown<C: Coefficient>(point: &[C], weighted: bool, notation: &Notation) -> String {

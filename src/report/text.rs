@@ -77,6 +77,17 @@ impl<C: Coefficient> Page<'_, C> {
             }
             Value::Matrix(rows) => self.matrix(&title, rows),
             Value::Frame(frame) => self.frame(&title, frame),
+            Value::Curve(_) | Value::Surface(_) if name == "change" => {
+                self.lines.push(format!("the map changes by {}", self.inline(value)));
+            }
+            Value::Curve(curve) if self.weighted => {
+                let coordinates = (0..curve.dimension()).map(|index| self.notation.coordinate(curve, index)).collect();
+                self.quotient(&self.notation.variable.to_string(), coordinates);
+            }
+            Value::Surface(surface) if self.weighted => {
+                let coordinates = (0..surface.dimension()).map(|index| self.notation.surface_coordinate(surface, index)).collect();
+                self.quotient(&self.notation.variables.map(|variable| variable.to_string()).join(","), coordinates);
+            }
             Value::Curve(curve) => {
                 let heading = self.notation.heading(self.arguments, name).unwrap_or_else(|| format!("F({})", self.notation.variable));
                 self.lines.push(format!("{heading} = {}", self.notation.curve(curve)));
@@ -144,6 +155,16 @@ impl<C: Coefficient> Page<'_, C> {
             | Value::Variables(_) => {}
         }
         Ok(())
+    }
+
+    /// The equation of a rational map, whose last coordinate is the weight.
+    fn quotient(&mut self, variables: &str, mut coordinates: Vec<String>) {
+        let weight = coordinates.pop().unwrap_or_default();
+        let numerator = match coordinates.as_slice() {
+            [only] => format!("({only})"),
+            several => printer::point(several, self.notation.style),
+        };
+        self.lines.push(format!("F({variables}) = {numerator}/({weight})"));
     }
 
     /// A point, with its weight if `homogeneous` and control points have some.
@@ -452,6 +473,8 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Number(number) => format!("{}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number))),
             Value::Point(point) => format!("{}{}", self.notation.point(point), self.approximately(point)),
             Value::Count(count) => count.to_string(),
+            Value::Curve(curve) => self.notation.curve(curve),
+            Value::Surface(surface) => self.notation.surface(surface),
             Value::Numbers(numbers) => {
                 numbers.iter().map(|number| self.inline(&Value::Number(number.clone()))).collect::<Vec<_>>().join(" and ")
             }
