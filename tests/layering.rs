@@ -28,6 +28,7 @@ const LAYERS: &[&[&str]] = &[
         "symmetry",
         "hull",
         "flatness",
+        "mesh",
         "matrix",
         "roots",
     ],

@@ -150,6 +150,57 @@ fn bad_requests_are_answered_and_the_run_goes_on() {
         (br#"{"id": 7, "op": "roots.bernstein", "input": {"points": [0, 0], "frame": [0, 1]}}"#.to_vec(), "unsupported"),
         (vec![b' '; casteljau::batch::MAX_LINE + 10], "too-large"),
     ];
+    let surface = |op: &str, input: &str| format!(r#"{{"id": 7, "op": "{op}", "input": {input}}}"#).into_bytes();
+    let triangle = r#""frame": [[1, 0], [0, 1], [0, 0]]"#;
+    let cases: Vec<(Vec<u8>, &str)> = cases
+        .into_iter()
+        .chain([
+            (
+                surface("triangle.points", r#"{"surface": {"degree": 1, "terms": [[[1, 0, "1"]]]}, "frame": [[0, 0], [1, 1], [2, 2]]}"#),
+                "degenerate-frame",
+            ),
+            (
+                surface("triangle.points", r#"{"surface": {"degree": 1, "terms": [[[1, 1, "1"]]]}, "frame": [[1, 0], [0, 1], [0, 0]]}"#),
+                "degree-too-low",
+            ),
+            (
+                surface("triangle.points", r#"{"surface": {"degree": [1, 1], "terms": [[]]}, "frame": [[1, 0], [0, 1], [0, 0]]}"#),
+                "wrong-shape",
+            ),
+            (
+                surface("triangle.points", r#"{"surface": {"degree": 1, "terms": [[[1, 0]]]}, "frame": [[1, 0], [0, 1], [0, 0]]}"#),
+                "wrong-count",
+            ),
+            (surface("triangle.points", r#"{"surface": {"degree": 4000, "terms": [[]]}, "frame": [[1, 0], [0, 1], [0, 0]]}"#), "too-large"),
+            (surface("triangle.equation", &format!(r#"{{"points": [[[0], [1]], [[2], [3]]], "degree": 1, {triangle}}}"#)), "wrong-shape"),
+            (surface("triangle.equation", &format!(r#"{{"points": [[[0], [1]], [[2]]], "degree": 2, {triangle}}}"#)), "wrong-count"),
+            (surface("triangle.equation", &format!(r#"{{"points": [[[0], [1]], [[2, 3]]], "degree": 1, {triangle}}}"#)), "wrong-count"),
+            (surface("triangle.equation", r#"{"points": [[[0], [1]], [[2]]], "degree": 1, "frame": [0, 1]}"#), "wrong-shape"),
+            (surface("triangle.blossom", r#"{"surface": {"degree": 1, "terms": [[[1, 0, 1]]]}, "args": [[1, 2, 3]]}"#), "wrong-count"),
+            (surface("rectangle.equation", r#"{"points": [[[0], [1]], [[2]]], "frame": [[0, 1], [0, 1]]}"#), "wrong-shape"),
+            (
+                surface("rectangle.points", r#"{"surface": {"degree": [1, 0], "terms": [[[1, 1, 1]]]}, "frame": [[0, 1], [0, 1]]}"#),
+                "degree-too-low",
+            ),
+            (
+                surface("rectangle.points", r#"{"surface": {"degree": [1, 0], "terms": [[]]}, "frame": [[0, 1], [2, 2]]}"#),
+                "degenerate-frame",
+            ),
+            (surface("rectangle.two_step", r#"{"points": [[[0]]], "u": 0, "v": 0, "first": "w"}"#), "wrong-shape"),
+            (surface("rational.curve", r#"{"points": [[0], [1]], "frame": [0, 1], "t": 0}"#), "wrong-shape"),
+            (surface("rational.curve", r#"{"points": [[0], [1]], "weights": [1], "frame": [0, 1], "t": 0}"#), "wrong-count"),
+            (
+                surface(
+                    "rational.triangle",
+                    &format!(r#"{{"points": [[[0], [1]], [[2]]], "weights": [[1], [1, 1]], "degree": 1, {triangle}, "a": [0, 0]}}"#),
+                ),
+                "wrong-shape",
+            ),
+            (surface("product", r#"{"surface": {"degree": 1, "terms": [[]]}, "points": [[[0]]]}"#), "unknown-field"),
+            (surface("homogenize", r#"{"terms": [[1, 1, "1"]], "degree": 1}"#), "degree-too-low"),
+            (surface("influence", r#"{"points": [[0], [1]], "index": [7]}"#), "wrong-shape"),
+        ])
+        .collect();
     let mut input = Vec::new();
     for (line, _) in &cases {
         input.extend_from_slice(line);

@@ -33,6 +33,9 @@ pub(super) fn arguments(operation: &Operation, input: &RawValue) -> Result<Argum
             None => {}
         }
     }
+    if let (Some(Value::Rows(rows)), Some(raw)) = (arguments.get("points"), fields.get("weights")) {
+        check_parallel(rows, raw)?;
+    }
     let given = |name| arguments.get(name).is_some();
     for shapes in [["curve", "surface", "points"], ["other_curve", "other_surface", "other_points"]] {
         let taken: Vec<&str> = shapes.into_iter().filter(|name| operation.parameter(name).is_some()).collect();
@@ -47,6 +50,24 @@ pub(super) fn arguments(operation: &Operation, input: &RawValue) -> Result<Argum
         }
     }
     Ok(arguments)
+}
+
+/// Refuses weights that are not arranged like the control points.
+fn check_parallel(rows: &[Vec<Vec<Rational>>], raw: &RawValue) -> Result<(), Fault> {
+    let weights = list(raw, "the weights")?;
+    if weights.len() != rows.len() {
+        return Err(Fault::new("wrong-shape", format!("the weights have {} rows, the points {}", weights.len(), rows.len())));
+    }
+    for (index, (row, raw)) in rows.iter().zip(weights).enumerate() {
+        let found = list(raw, "a row of weights")?.len();
+        if found != row.len() {
+            return Err(Fault::new(
+                "wrong-shape",
+                format!("row {index} of the weights has length {found}, that of the points {}", row.len()),
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// What kind of shape the fields of a request are about.

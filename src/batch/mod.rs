@@ -83,9 +83,14 @@ fn carry_out(request: &Fields<'_>) -> Result<serde_json::Value, Fault> {
     Ok(json::output(&operation.on_numbers(&arguments)?)?)
 }
 
+/// Says what there is instead: the operations with the most similar names.
 fn unknown_operation(name: &str) -> Fault {
-    let known: Vec<&str> = crate::ops::operations().map(|operation| operation.name).collect();
-    Fault::new("unknown-op", format!("there is no operation `{}`; known are {}", crate::model::excerpt(name), known.join(", ")))
+    let name = crate::model::excerpt(name);
+    let mut known: Vec<(f64, &str)> =
+        crate::ops::operations().map(|operation| (strsim::jaro_winkler(&name, operation.name), operation.name)).collect();
+    known.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let nearest: Vec<String> = known.iter().take(4).map(|(_, name)| format!("`{name}`")).collect();
+    Fault::new("unknown-op", format!("there is no operation `{name}`; the nearest names are {}", nearest.join(", ")))
 }
 
 /// Writes an answer; `id` and `op` go back as they were spelled.

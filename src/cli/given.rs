@@ -71,7 +71,11 @@ impl Given {
         // Only where both may stand does the text decide which it is.
         let input = match (equations, points) {
             (true, false) => syntax::parse_map(text, letters.as_deref()).map(Input::Map),
-            (false, true) => syntax::parse_points(text).map(Input::Points),
+            (false, true) => match syntax::parse_input(text, letters.as_deref()) {
+                // Letters of a surface outside of any list: an equation, not points that are symbols.
+                Ok(Input::Map(map)) if matches!(map.variables, Variables::Surface(..)) => Ok(Input::Map(map)),
+                _ => syntax::parse_points(text).map(Input::Points),
+            },
             _ => syntax::parse_input(text, letters.as_deref()),
         };
         // A text of the other kind deserves to be told so.

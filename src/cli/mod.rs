@@ -81,14 +81,18 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
 }
 
 fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
+    refuse_decimals(matches)?;
     if let Some(path) = select::text_of(matches, "output") {
         writable(path)?;
     }
     let mut notes = Vec::new();
     let given = Given::of(verb, matches, "input", &mut notes)?;
     let other = Given::of(verb, matches, "other", &mut notes)?;
+    if let (Some(weight), Some(Given::Points(_) | Given::File(_))) = (select::text_of(matches, "weight"), &given) {
+        return Err(Problem::plain(format!("--weight {weight} goes with an equation; control points have a weight each, as in (1,1):2")));
+    }
     let weighted = given.as_ref().is_some_and(Given::is_weighted) || select::is_given(matches, "weight");
-    let selection = select::select(verb, given.as_ref(), weighted, matches)?;
+    let selection = select::select(verb, given.as_ref(), other.as_ref(), weighted, matches)?;
     let operation = selection.operation;
     let arguments = read::arguments(&selection, given, other, matches, &mut notes)?;
     if !matches.get_flag("quiet") {
@@ -134,6 +138,15 @@ fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer
     };
     std::fs::write(path, document).map_err(|error| Problem::plain(format!("cannot write `{path}`: {error}")))?;
     Ok(answer.holds.unwrap_or(true))
+}
+
+/// Decimals are for readers of text.
+fn refuse_decimals(matches: &ArgMatches) -> Result<(), Problem> {
+    let format = matches.get_one::<String>("format").map_or("text", String::as_str);
+    if matches.get_one::<u16>("decimal").is_some() && format != "text" {
+        return Err(Problem::plain(format!("--decimal adds to text; --format {format} is exact")));
+    }
+    Ok(())
 }
 
 fn render<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<String, Problem> {

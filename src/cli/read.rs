@@ -63,7 +63,19 @@ pub(super) fn arguments(
         reader.shape(given, &FIRST)?;
     }
     if let Some(other) = other {
+        // Two pieces that are compared may be of different kinds, each over a frame of its own.
+        let frame = text_of(matches, "other-over").map(|text| frame_of(text, "--other-over")).transpose()?;
+        let own = match &other {
+            Given::Equation(_) => domain,
+            shape => shape.domain(frame.as_ref(), false, domain == Domain::Triangle),
+        };
+        let alike = (own == Domain::Curve) == (domain == Domain::Curve);
+        if own != domain && alike && frame.is_none() && operation.parameter(SECOND.frame).is_some() {
+            reader.arguments.insert(SECOND.frame, Value::Frame(own.default_frame()));
+        }
+        reader.domain = if alike { own } else { domain };
         reader.shape(other, &SECOND)?;
+        reader.domain = domain;
     }
     for parameter in operation.parameters.iter().filter(|parameter| !parameter.flag.is_empty()) {
         reader.flag(parameter)?;
@@ -292,6 +304,8 @@ impl Reader<'_> {
             },
             Kind::Point => match points_of(text).map_err(problem)?.as_slice() {
                 [point] => Value::Point(point.clone()),
+                // A point without its brackets.
+                numbers if numbers.iter().all(|number| number.len() == 1) => Value::Point(numbers.concat()),
                 points => return Err(Problem::plain(format!("{name} takes one point, found {}", points.len()))),
             },
             Kind::Count => Value::Count(count(&name, text)?),
@@ -324,7 +338,7 @@ impl Reader<'_> {
         // A conversion and a frame alone may be of any kind.
         let shapes = ["points", "curve", "surface"];
         let free = self.operation.verb == "convert" || !shapes.iter().any(|name| self.operation.parameter(name).is_some());
-        if found == self.domain || free && parameter.name != "new_frame" {
+        if found == self.domain || parameter.name == SECOND.frame || free && parameter.name != "new_frame" {
             return Ok(Value::Frame(frame));
         }
         Err(Problem::plain(match self.domain {
@@ -406,6 +420,11 @@ impl Reader<'_> {
             };
             return Err(Problem::plain(format!("the symbol `{variable}` is also the parameter of the {kind}")).with_help(help));
         }
+        let weights = |symbol: &&Symbol| matches!((symbol.letter(), symbol.index()), ('a' | 'b' | 'c' | 'u' | 'v', None));
+        if let Some(letter) = symbols.iter().find(weights).filter(|_| self.operation.verb == "homogenize") {
+            return Err(Problem::plain(format!("the symbol `{letter}` is also a letter of the homogenized polynomials"))
+                .with_help("these are a, b, c, u and v; use another letter for it"));
+        }
         if self.operation.verb != "polar" {
             return Ok(());
         }
@@ -414,10 +433,11 @@ impl Reader<'_> {
             _ => self.arguments.surface()?.reading(),
         };
         // Any index: more arguments than there are would look like one.
+        let weights = self.arguments.flag("homogeneous");
         let letters: Vec<char> = match reading {
             Reading::Curve(_) => vec!['t'],
-            Reading::Total(_) => vec!['U', 'V'],
-            Reading::Bidegree(..) => vec!['u', 'v'],
+            Reading::Total(_) => ['U', 'V', 'C'].into_iter().take(if weights { 3 } else { 2 }).collect(),
+            Reading::Bidegree(..) => ['u', 'v', 'a', 'b'].into_iter().take(if weights { 4 } else { 2 }).collect(),
         };
         if let Some(argument) = symbols.iter().find(|symbol| letters.contains(&symbol.letter()) && symbol.index().is_some()) {
             return Err(Problem::plain(format!("the symbol `{argument}` is also an argument of the polar form"))

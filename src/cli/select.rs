@@ -28,8 +28,19 @@ pub(super) fn text_of<'m>(matches: &'m ArgMatches, flag: &str) -> Option<&'m Str
     matches.try_get_one::<String>(flag).ok().flatten()
 }
 
-pub(super) fn select(verb: &str, given: Option<&Given>, weighted: bool, matches: &ArgMatches) -> Result<Selection, Problem> {
-    let (domain, chose_reading) = domain(verb, given, matches)?;
+pub(super) fn select(
+    verb: &str,
+    given: Option<&Given>,
+    other: Option<&Given>,
+    weighted: bool,
+    matches: &ArgMatches,
+) -> Result<Selection, Problem> {
+    let (mut domain, chose_reading) = domain(verb, given, matches)?;
+    if let (true, Some(other @ (Given::Points(_) | Given::File(_)))) = (chose_reading, other) {
+        // An equation is read as what it is compared with or multiplied by.
+        domain = other.domain(None, false, false);
+    }
+    refuse_contradictions(verb, domain, given, matches)?;
     let here = |operation: &&'static Operation| operation.domains.contains(&domain);
     if !Operation::of_verb(verb).any(|operation| here(&operation)) {
         return Err(unfit(verb, domain, given));
@@ -47,6 +58,27 @@ pub(super) fn select(verb: &str, given: Option<&Given>, weighted: bool, matches:
         return Err(Problem::plain(format!("`{verb}` takes polynomial shapes here, without weights")));
     }
     Ok(Selection { operation, domain, chose_reading })
+}
+
+/// Refuses a degree in one reading for a shape in the other one.
+fn refuse_contradictions(verb: &str, domain: Domain, given: Option<&Given>, matches: &ArgMatches) -> Result<(), Problem> {
+    let (degree, bidegree) = (is_given(matches, "degree"), is_given(matches, "bidegree"));
+    if matches!(verb, "homogenize") || is_given(matches, "both") {
+        return Ok(());
+    }
+    if degree && bidegree {
+        return Err(Problem::plain("--degree and --bidegree exclude each other: a surface is read in one of two ways")
+            .with_help("`casteljau polar --both` shows them side by side"));
+    }
+    match domain {
+        Domain::Rectangle if degree && given.is_some() => {
+            Err(Problem::plain("--degree is that of a curve or a triangle; a rectangle has a --bidegree P,Q"))
+        }
+        Domain::Curve | Domain::Triangle if bidegree => {
+            Err(Problem::plain(format!("--bidegree is that of a rectangle, and this is a {}", domain.name())))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Whether one of the arguments is there that make a command mean an operation.
@@ -136,6 +168,8 @@ fn domain(verb: &str, given: Option<&Given>, matches: &ArgMatches) -> Result<(Do
     let says_total = is_given(matches, "both") || (is_given(matches, "degree") && !is_given(matches, "bidegree"));
     // A conversion starts from the kind it does not lead to.
     let converted = match (verb, text_of(matches, "to")) {
+        ("convert", _) if is_given(matches, "bidegree") => Some(Domain::Rectangle),
+        ("convert", _) if is_given(matches, "degree") => Some(Domain::Triangle),
         ("convert", Some(text)) => match domain_of(&frame_of(text, "--to")?) {
             Domain::Triangle => Some(Domain::Rectangle),
             Domain::Rectangle => Some(Domain::Triangle),

@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use num_bigint::BigInt;
+
 use super::table::{Growth, Operation};
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
@@ -17,6 +19,9 @@ pub(crate) const MAX_STEPS: u64 = 1 << 30;
 
 /// What an operation on long numbers costs beside its words.
 const OVERHEAD: u64 = 32;
+
+/// What an operation on one term of a symbolic polynomial costs.
+const TERM: u64 = 128;
 
 /// The most bits of all numbers of an answer together: 128 mebibytes.
 const MAX_BITS: u64 = 1 << 30;
@@ -40,8 +45,10 @@ struct Size {
     /// Bits of the longest frame end, parameter or argument.
     parameter_bits: u64,
     depth: usize,
-    /// The symbols of coefficients and coordinates, which answers are linear in.
-    data_symbols: BTreeSet<Symbol>,
+    /// The different denominators of the data: their bits together bound those of the common one.
+    denominators: BTreeSet<BigInt>,
+    /// The terms of all coefficients and coordinates of a shape with symbols; answers are linear in each.
+    data_terms: Vec<u64>,
     /// How often each other symbol may occur as a factor of one term.
     powers: BTreeMap<Symbol, u64>,
 }
@@ -50,12 +57,24 @@ impl Size {
     fn data<C: Coefficient>(&mut self, degree: usize, dimension: usize, values: &mut dyn Iterator<Item = &C>) {
         self.degree += degree;
         self.dimension = self.dimension.max(dimension);
+        let (mut terms, mut is_symbolic) = (0, false);
         for value in values {
             self.data_bits = self.data_bits.max(value.bit_length());
-            if value.as_rational().is_none() {
-                let polynomial: Polynomial = value.clone().into();
-                self.data_symbols.extend(polynomial.symbols());
+            match value.as_rational() {
+                Some(number) if number.is_integer() => terms += 1,
+                Some(number) => {
+                    terms += 1;
+                    self.denominators.insert(number.denom());
+                }
+                None => {
+                    let polynomial: Polynomial = value.clone().into();
+                    terms += polynomial.len() as u64;
+                    is_symbolic = true;
+                }
             }
+        }
+        if is_symbolic {
+            self.data_terms.push(terms);
         }
     }
 
@@ -122,7 +141,9 @@ impl Size {
         size.dimension = size.dimension.max(1);
         for (_, value) in arguments.iter() {
             match value {
-                Value::Numbers(values) | Value::Point(values) => values.iter().for_each(|value| size.parameter(value, 1)),
+                Value::Numbers(values) => values.iter().for_each(|value| size.parameter(value, 1)),
+                // A point of the parameter plane is taken in as often as the degree says.
+                Value::Point(values) => values.iter().for_each(|value| size.parameter(value, size.degree)),
                 Value::PlaneArguments(list) => {
                     list.iter().flat_map(|argument| [&argument.u, &argument.v, &argument.w]).for_each(|value| size.parameter(value, 1))
                 }
@@ -143,7 +164,7 @@ impl Size {
         // The monomials of the highest degree that can occur, in so many symbols.
         let degree = self.powers.values().copied().max().unwrap_or(0).max(self.degree as u64);
         let by_degree = (1..=self.powers.len() as u64).fold(1u64, |count, k| count.saturating_mul(degree + k) / k);
-        by_powers.min(by_degree).saturating_mul(self.data_symbols.len() as u64 + 1)
+        self.data_terms.iter().fold(by_powers.min(by_degree), |terms, own| terms.saturating_mul(own + 1))
     }
 }
 
@@ -154,7 +175,7 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     if size.degree > MAX_DEGREE as usize {
         return too_large("degree", MAX_DEGREE as usize);
     }
-    let is_symbolic = !size.data_symbols.is_empty() || !size.powers.is_empty();
+    let is_symbolic = !size.data_terms.is_empty() || !size.powers.is_empty();
     if is_symbolic && size.degree > MAX_SYMBOLIC_DEGREE {
         return too_large("degree with symbolic parameters", MAX_SYMBOLIC_DEGREE);
     }
@@ -177,7 +198,8 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
         return too_large("answer, counted in numbers,", MAX_NUMBERS);
     };
     // Every argument that is taken in lengthens a number by its own length, at most twice.
-    let bits = size.data_bits + size.degree as u64 * (2 * size.parameter_bits + size.depth as u64 + 1);
+    let common: u64 = size.denominators.iter().map(BigInt::bits).sum();
+    let bits = size.data_bits + common + size.degree as u64 * (2 * size.parameter_bits + size.depth as u64 + 1);
     if bits.saturating_mul(numbers as u64) > MAX_BITS {
         return too_large("answer, counted in bits,", MAX_BITS as usize);
     }
@@ -195,6 +217,16 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
         Growth::Basis => 2 * (size.degree as u64 + 1),
     };
     let steps = (numbers as u64).saturating_mul(sources).saturating_mul(bits / 64 + OVERHEAD);
+    // Lowest terms over a long common denominator take a quadratic gcd each.
+    let gcds = (numbers as u64).saturating_mul((common / 64).saturating_mul(common / 64));
+    let steps = steps.saturating_add(gcds);
+    let steps = if is_symbolic {
+        // Each term of a polynomial is found and added by itself.
+        let terms = (numbers as u64).saturating_mul(sources).saturating_mul(size.terms());
+        steps.max(terms.saturating_mul(TERM))
+    } else {
+        steps
+    };
     if steps > MAX_STEPS {
         return too_large("work, counted in steps on machine words,", MAX_STEPS as usize);
     }

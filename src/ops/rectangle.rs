@@ -1,6 +1,5 @@
 //! Operations on surfaces by their bidegree, and on rectangular patches.
 
-use super::piece;
 use super::triangle::{carried, check as check_surface, converted_surface};
 use crate::affine::Frame;
 use crate::error::Error;
@@ -147,7 +146,9 @@ pub(super) fn reduce<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 
 pub(super) fn to_triangle<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     let Ok(Frame::Triangle(frame)) = arguments.any_frame("frame") else {
-        return piece::net(arguments, Piece::Rectangle(converted_surface(arguments)?.over_rectangle(arguments.rectangle("frame")?)?));
+        let patch = converted_surface(arguments)?.over_rectangle(arguments.rectangle("frame")?)?;
+        let (p, q) = patch.degree();
+        return Ok(Answer::new(vec![("degree", Value::Counts(vec![p, q])), ("points", Value::Net(Piece::Rectangle(patch)))]));
     };
     let patch = converted_surface(arguments)?.over_triangle(frame)?;
     Ok(Answer::new(vec![("degree", Value::Count(patch.degree())), ("points", Value::Net(Piece::Triangle(patch)))]))
@@ -188,6 +189,7 @@ pub(super) fn matrix<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     });
     let coordinates = coordinates.collect::<Result<_, Error>>()?;
     Ok(Answer::new(vec![
+        ("local_frame", Value::Frame(patch.frame().clone().into())),
         ("bernstein_u", of(bernstein_matrix(p))),
         ("bernstein_v", of(bernstein_matrix(q))),
         ("coordinates", Value::List(coordinates)),

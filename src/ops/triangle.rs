@@ -1,7 +1,6 @@
 //! Operations on surfaces by their total degree, and on triangular patches.
 
 use super::curve::checked;
-use super::piece;
 use crate::affine::Frame;
 use crate::blossom::check_polar_form;
 use crate::error::Error;
@@ -164,7 +163,8 @@ pub(super) fn converted_surface<C: Coefficient>(arguments: &Arguments<C>) -> Res
 
 pub(super) fn to_rectangle<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     let Frame::Rectangle(frame) = arguments.frame_or_default("frame") else {
-        return piece::net(arguments, Piece::Triangle(converted_surface(arguments)?.over_triangle(arguments.triangle("frame")?)?));
+        let patch = converted_surface(arguments)?.over_triangle(arguments.triangle("frame")?)?;
+        return Ok(Answer::new(vec![("degree", Value::Count(patch.degree())), ("points", Value::Net(Piece::Triangle(patch)))]));
     };
     let patch = converted_surface(arguments)?.over_rectangle(&frame)?;
     let (p, q) = patch.degree();

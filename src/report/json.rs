@@ -19,11 +19,11 @@ use crate::value::{Answer, Layers, Value};
 pub fn output<C: Coefficient>(answer: &Answer<C>) -> Result<Json, Error> {
     let mut object = Map::new();
     for (name, value) in &answer.fields {
-        // Control points with weights are named as what they are.
-        let name = match *name {
-            "points" | "curve" | "surface" if answer.weighted => format!("homogeneous_{name}"),
-            name => name.to_owned(),
-        };
+        // Points with weights are named as what they are; pieces say it themselves.
+        let is_plain =
+            matches!(value, Value::Piece(_) | Value::Pieces(_) | Value::Truth(_) | Value::Count(_) | Value::Counts(_) | Value::Nothing);
+        let of_frame = matches!(*name, "frame" | "barycentric" | "polyline");
+        let name = if answer.weighted && !is_plain && !of_frame { format!("homogeneous_{name}") } else { (*name).to_owned() };
         object.insert(name, encode(value, answer.weighted)?);
     }
     Ok(Json::Object(object))

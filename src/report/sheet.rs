@@ -69,7 +69,19 @@ fn field<C: Coefficient>(
                 lines.push(format!("{indexed}{rest} &= {}", notation.surface_coordinate(surface, coordinate)));
             }
         }
-        Value::Net(value) => net(value, weighted, notation, lines),
+        Value::Net(value) if name == "points" => net(value, weighted, notation, lines),
+        Value::Net(value) => {
+            lines.push(format!("\\text{{{name}:}}"));
+            piece(value, weighted, notation, lines);
+        }
+        Value::Counts(counts) => {
+            let list: Vec<String> = counts.iter().map(usize::to_string).collect();
+            lines.push(format!("\\text{{{}}} &= ({})", name.replace('_', " "), list.join(", ")));
+        }
+        Value::Word(word) => lines.push(format!("\\text{{{}: {word}}}", name.replace('_', " "))),
+        Value::Nothing if name == "point" => lines.push("\\text{the point is at infinity}".to_owned()),
+        Value::Nothing if matches!(name, "ast" | "rat" | "rsa") => lines.push(format!("\\text{{{name}: flat}}")),
+        Value::Nothing if matches!(name, "ll" | "rl" | "lr" | "rr") => lines.push(format!("\\text{{{name}: without width}}")),
         Value::Piece(value) => piece(value, weighted, notation, lines),
         Value::Pieces(pieces) => pieces.iter().for_each(|value| piece(value, weighted, notation, lines)),
         Value::Layers(layers) => {
@@ -80,7 +92,7 @@ fn field<C: Coefficient>(
         Value::Matrix(rows) => lines.push(format!("\\text{{{}}} &= {}", name.replace('_', " "), matrix(rows, notation))),
         Value::Numbers(numbers) if name == "barycentric" => {
             let list: Vec<String> = numbers.iter().map(|number| notation.number(number)).collect();
-            lines.push(format!("(\\lambda, \\mu, \\nu) &= ({})", list.join(", ")));
+            lines.push(format!("(\\lambda, \\mu, \\nu) &= {}", crate::syntax::printer::point(&list, notation.style)));
         }
         Value::Number(number) => lines.push(format!("\\text{{{}}} &= {}", name.replace('_', " "), notation.number(number))),
         Value::Count(count) => lines.push(format!("\\text{{{}}} &= {count}", name.replace('_', " "))),
@@ -123,6 +135,13 @@ fn record<C: Coefficient>(
     lines: &mut Vec<String>,
 ) -> Result<(), String> {
     let get = |name: &str| fields.iter().find(|(key, _)| *key == name).map(|(_, value)| value);
+    if let (Some(Value::Word(symmetry)), Some(Value::Word(relation)), Some(Value::Truth(kept))) =
+        (get("symmetry"), get("relation"), get("invariant"))
+    {
+        let kept = if *kept { " = X(u, v)" } else { "" };
+        lines.push(format!("\\text{{{symmetry}}} &: {relation}{kept}"));
+        return Ok(());
+    }
     let (index, letters, body) = match (get("index"), get("polynomial")) {
         (Some(Value::Count(k)), Some(Value::Curve(curve))) => (k.to_string(), notation.variable.to_string(), notation.curve(curve)),
         (Some(Value::Counts(index)), Some(Value::Surface(surface))) => (

@@ -76,6 +76,9 @@ impl<C: Coefficient> Page<'_, C> {
                 }
             }
             Value::Matrix(rows) => self.matrix(&title, rows),
+            Value::Frame(frame) if name == "local_frame" => {
+                self.lines.push(format!("X = B(x)ᵀ P B(y), where x and y run from 0 to 1 over {}", self.notation.frame(frame)));
+            }
             Value::Frame(frame) => self.frame(&title, frame),
             Value::Curve(_) | Value::Surface(_) if name == "change" => {
                 self.lines.push(format!("the map changes by {}", self.inline(value)));
@@ -289,11 +292,11 @@ impl<C: Coefficient> Page<'_, C> {
         self.lines.push(match name {
             "total" => {
                 let m = degree(&[0, 1, 2]);
-                format!("by total degree {m}, u/c and v/c, times c^{m}: {text}")
+                format!("by total degree {m}, u/c and v/c, times c^{m}, which is the weight: {text}")
             }
             _ => {
                 let (p, q) = (degree(&[0, 1]), degree(&[2, 3]));
-                format!("by bidegree ({p},{q}), u/a and v/b, times a^{p} b^{q}: {text}")
+                format!("by bidegree ({p},{q}), u/a and v/b, times a^{p} b^{q}, which is the weight: {text}")
             }
         });
     }

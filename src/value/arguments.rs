@@ -314,12 +314,16 @@ impl<C: Coefficient> Arguments<C> {
     }
 
     fn piece_of(&self, [curve, surface, points, weights]: [&str; 4], frame: Frame<C>) -> Result<Piece<C>, Error> {
+        if self.get("weight").is_some() && self.get(points).is_some() {
+            return Err(Error::WrongShape("`weight` goes with an equation; control points have a weight each, as in (1,1):2".into()));
+        }
         let lifted = |points: Vec<Vec<C>>| match self.get(weights) {
             Some(Value::Numbers(weights)) => homogeneous_points(&points, weights),
             _ => Ok(points),
         };
         Ok(match (self.get(points), self.get(curve), self.get(surface), frame) {
             (Some(Value::Points(points)), _, _, Frame::Interval(frame)) => {
+                self.check_count(points.len())?;
                 Piece::Curve(Segment::from_points(lifted(points.clone())?, frame)?)
             }
             (Some(Value::Rows(rows)), _, _, Frame::Triangle(frame)) => {
@@ -349,6 +353,16 @@ impl<C: Coefficient> Arguments<C> {
         match self.pair("bidegree") {
             Ok((p, q)) if (p, q) != found => {
                 Err(Error::WrongCount { what: "control points", expected: (p + 1) * (q + 1), found: (found.0 + 1) * (found.1 + 1) })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The degree of a curve, where it is given beside the points.
+    fn check_count(&self, found: usize) -> Result<(), Error> {
+        match self.get("degree") {
+            Some(Value::Count(degree)) if degree + 1 != found => {
+                Err(Error::WrongCount { what: "control points", expected: degree + 1, found })
             }
             _ => Ok(()),
         }
@@ -413,7 +427,10 @@ impl<C: Coefficient> Arguments<C> {
 
 /// A coefficient from a polynomial in symbolic parameters.
 fn number_of<C: Coefficient>(value: &Polynomial) -> Result<C, Error> {
-    C::from_polynomial(value).ok_or_else(|| Error::Unsupported(format!("the weight contains the symbolic parameter in {value}")))
+    C::from_polynomial(value).ok_or_else(|| {
+        let symbol = value.symbols().first().map_or_else(String::new, ToString::to_string);
+        Error::Unsupported(format!("the weight contains the symbolic parameter `{symbol}`; the variables are those of the map"))
+    })
 }
 
 fn wrong_frame<C: Coefficient>(expected: &str, found: &Frame<C>) -> Error {
