@@ -65,7 +65,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
     match verb {
         "batch" => {
-            crate::batch::run(io::stdin().lock(), io::stdout().lock()).map_err(Problem::output)?;
+            crate::batch::run(io::stdin().lock(), io::BufWriter::with_capacity(1 << 16, io::stdout().lock())).map_err(Problem::output)?;
             Ok(true)
         }
         "completions" => {
