@@ -115,7 +115,7 @@ impl Cubic {
     /// The point at a rational parameter.
     #[must_use]
     pub fn rational_point(&self, t: &Rational) -> Vector {
-        [0, 1].map(|index| self.coordinate(index).rev().fold(Rational::zero(), |sum, c| sum * t + c))
+        pair(self.curve().value(t))
     }
 
     /// The invariants that decide the class.
@@ -130,6 +130,12 @@ impl Cubic {
     pub fn class(&self) -> CubicClass {
         self.invariants().class()
     }
+}
+
+/// The two coordinates of a point of the plane.
+pub(crate) fn pair(coordinates: Vec<Rational>) -> Vector {
+    let mut coordinates = coordinates.into_iter();
+    [coordinates.next().unwrap_or_default(), coordinates.next().unwrap_or_default()]
 }
 
 /// Refuses what is no planar cubic, with what is possible instead.

@@ -89,7 +89,7 @@ impl Cubic {
             CubicClass::SShaped => {
                 let invariants = self.invariants();
                 let t = invariants.kappa12.checked_div(&(Rational::from(3) * invariants.kappa31))?;
-                let tangent = [0, 1].map(|index| derivative_at(self, 1, &t)[index].clone());
+                let tangent = super::pair(self.curve().derivative(1).value(&t));
                 Some(Standing { origin: self.rational_point(&t), t0: t, columns: [tangent, f3.clone()], c: Rational::zero() })
             }
             CubicClass::Parabolic => {
@@ -134,25 +134,12 @@ impl Cubic {
     }
 }
 
-/// The derivative of an order at a rational parameter.
-fn derivative_at(cubic: &Cubic, order: usize, t: &Rational) -> Vector {
-    let mut value = Vector::default();
-    for power in (order..4).rev() {
-        let factor: Rational = (power - order + 1..=power).map(|k| Rational::from(k as i64)).product();
-        value = [0, 1].map(|index| &value[index] * t + &factor * &cubic.vectors()[power][index]);
-    }
-    value
-}
-
-/// The coefficients of `F(t0 + τ)` in `τ`.
+/// The coefficients of `F(t0 + τ)` in `τ`: derivatives over factorials.
 pub(super) fn taylor(cubic: &Cubic, t0: &Rational) -> [Vector; 4] {
-    let mut factorial = Rational::one();
-    [0, 1, 2, 3].map(|order| {
-        if order > 1 {
-            factorial = &factorial * Rational::from(order as i64);
-        }
-        let derivative = derivative_at(cubic, order, t0);
-        derivative.map(|value| value.checked_div(&factorial).unwrap_or_default())
+    let curve = cubic.curve();
+    [(0, 1), (1, 1), (2, 2), (3, 6)].map(|(order, factorial)| {
+        let value = super::pair(curve.derivative(order).value(t0));
+        if factorial == 1 { value } else { scaled(&Rational::new(1, factorial), &value) }
     })
 }
 

@@ -113,6 +113,14 @@ impl Centred {
         MedianLine { point: self.g0.clone(), direction: self.g2.clone(), chord: self.f3.clone() }
     }
 
+    /// The flex at `t* ± √third`, where `τ³ + c τ` is four times `third τ`:
+    /// `G_0 + third G_2 ± 4 third √third F_3`.
+    fn flex(&self, t: &Surd, third: &Rational) -> [Surd; 2] {
+        let root = t.plus_rational(&-&self.t);
+        let along = Rational::from(4) * third;
+        [0, 1].map(|index| root.times_rational(&(&along * &self.f3[index])).plus_rational(&(&self.g0[index] + third * &self.g2[index])))
+    }
+
     /// The two parameters `t* ± √square`.
     fn around(&self, square: &Rational) -> [Surd; 2] {
         let number = |sign: i8| Surd::new(self.t.clone(), sign, square.clone()).unwrap_or_default();
@@ -134,7 +142,8 @@ impl Cubic {
             return Special::Loopy { summit, median, parameters, crunode: centred.double_point() };
         }
         // κ12 - 3 κ31 t + 3 κ23 t² = 3 κ23 (τ² - c/3)
-        let flexes = centred.around(&(&centred.c * Rational::new(1, 3))).map(|t| SpecialPoint { point: self.point(&t), t });
+        let third = &centred.c * Rational::new(1, 3);
+        let flexes = centred.around(&third).map(|t| SpecialPoint { point: centred.flex(&t, &third), t });
         Special::Humpy { summit, median, flexes, acnode: centred.double_point() }
     }
 
