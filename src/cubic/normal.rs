@@ -153,19 +153,24 @@ impl NormalForm {
     fn identity(&self, cubic: &Cubic) -> Option<bool> {
         let standard = self.form.standard()?;
         let coefficients = taylor(cubic, self.t0.as_rational()?);
-        let mut power = Surd::from(Rational::one());
-        for (k, vector) in coefficients.iter().enumerate() {
+        // The square of the stretch is rational, so its powers are cheap.
+        let square = self.scale.times(&self.scale)?;
+        let square = square.as_rational()?;
+        let powers = [Surd::from(Rational::one()), self.scale.clone(), Surd::from(square), self.scale.times_rational(square)];
+        for (k, (vector, power)) in coefficients.iter().zip(&powers).enumerate() {
             for (index, row) in self.matrix.iter().enumerate() {
-                let terms = [0, 1].map(|column| row[column].times_rational(&Rational::from(standard[column][k])));
-                let mut right = terms[0].plus(&terms[1])?;
-                if k == 0 {
-                    right = right.plus(&self.shift[index])?;
+                let mut right = if k == 0 { self.shift[index].clone() } else { Surd::default() };
+                for (entry, list) in row.iter().zip(&standard) {
+                    right = match list[k] {
+                        0 => right,
+                        1 => right.plus(entry)?,
+                        other => right.plus(&entry.times_rational(&Rational::from(other)))?,
+                    };
                 }
                 if power.times_rational(&vector[index]) != right {
                     return Some(false);
                 }
             }
-            power = power.times(&self.scale)?;
         }
         Some(true)
     }

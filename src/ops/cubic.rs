@@ -57,6 +57,10 @@ pub(super) fn classify(arguments: &Arguments) -> Result<Answer, Error> {
     Ok(answer.with_finding(Finding::Cubic(Box::new(CubicFinding { cubic, special, normal, portion, distance, intention, equivalence }))))
 }
 
+pub(super) fn class(arguments: &Arguments) -> Result<Answer, Error> {
+    Ok(Answer::new(vec![("class", Value::Word(Cubic::new(&arguments.curve()?)?.class().name()))]))
+}
+
 /// The curve, with what is known of the segment.
 struct Given {
     curve: Curve,

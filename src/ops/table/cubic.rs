@@ -33,6 +33,17 @@ pub(super) const OPERATIONS: &[Operation] = &[
         run: Run::Numeric(cubic::classify),
     },
     Operation {
+        name: "cubic.class",
+        verb: "classify",
+        domains: CURVES,
+        selected_by: &["short"],
+        doc: "The class of a planar cubic alone, for streams of many",
+        example: "casteljau classify '(t^2, t^3 - t)' --short",
+        parameters: &[EITHER_CURVE, EITHER_POINTS, OVER_POINTS, optional("short", Kind::Flag, "short", "the class and nothing else")],
+        growth: Growth::Direct,
+        run: Run::Numeric(cubic::class),
+    },
+    Operation {
         name: "cubic.family",
         verb: "classify",
         domains: CURVES,
