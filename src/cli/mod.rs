@@ -85,7 +85,8 @@ fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
         writable(path)?;
     }
     let mut notes = Vec::new();
-    let given = Given::of(verb, matches, "input", &mut notes)?;
+    // A gallery is of nothing in particular.
+    let given = if select::is_given(matches, "gallery") { None } else { Given::of(verb, matches, "input", &mut notes)? };
     let other = Given::of(verb, matches, "other", &mut notes)?;
     let weighted = given.as_ref().is_some_and(Given::is_weighted) || select::is_given(matches, "weight");
     let selection = select::select(verb, given.as_ref(), weighted, matches)?;

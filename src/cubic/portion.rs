@@ -75,6 +75,23 @@ impl PortionShape {
     }
 }
 
+impl PortionShape {
+    /// What is to be seen, in the words of the lecture.
+    #[must_use]
+    pub fn in_words(self) -> &'static str {
+        match self {
+            Self::Loop => "a loop",
+            Self::Cusp => "a cusp",
+            Self::DoubleInflection => "two flexes",
+            Self::SingleInflection => "one flex",
+            Self::Arch => "an arch",
+            Self::Quadratic => "a part of a parabola",
+            Self::Line => "a part of a line",
+            Self::Point => "a point",
+        }
+    }
+}
+
 /// The segment of a cubic over a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Portion {

@@ -61,8 +61,12 @@ impl ImplicitCurve {
     /// point; [`Error::TooLarge`] beyond the limits.
     pub fn of(curve: &Curve) -> Result<Self, Error> {
         if curve.dimension() != 2 {
+            let remedy = match curve.dimension() {
+                1 => "the graph of a function of t is the curve (t, F(t))",
+                _ => "`transform` projects a curve into the plane, as with --map '(x, y)'",
+            };
             return Err(Error::Unsupported(format!(
-                "an implicit equation is that of a curve with two coordinates, this one has {}: `transform` projects a curve into the plane",
+                "an implicit equation is that of a curve with two coordinates, this one has {}: {remedy}",
                 curve.dimension()
             )));
         }

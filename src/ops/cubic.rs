@@ -274,11 +274,11 @@ pub(super) fn family<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<
             ("value", Value::Record(record))
         }
     };
-    let expressions = |polynomial: &Polynomial| Value::Expressions(vec![polynomial.clone()]);
+    let expressions = |polynomial: &Polynomial| Value::Document(polynomial.to_string());
     let breakpoints =
         family.breakpoints.iter().map(|found| Value::Record(vec![value(&found.value), ("class", Value::Word(found.class.name()))]));
     let fields = vec![
-        ("parameter", Value::Variables(vec![family.parameter])),
+        ("parameter", Value::Document(family.parameter.to_string())),
         ("kappa12", expressions(&family.invariants.kappa12)),
         ("kappa23", expressions(&family.invariants.kappa23)),
         ("kappa31", expressions(&family.invariants.kappa31)),

@@ -2,7 +2,7 @@
 
 use super::parameters::*;
 use super::{Growth, Kind, Operation, Run};
-use crate::ops::{cubic, implicit};
+use crate::ops::{cubic, implicit, picture};
 use crate::value::Domain;
 
 const CURVES: &[Domain] = &[Domain::Curve];
@@ -86,6 +86,17 @@ pub(super) const OPERATIONS: &[Operation] = &[
         ],
         growth: Growth::Direct,
         run: Run::Numeric(implicit::implicit),
+    },
+    Operation {
+        name: "gallery",
+        verb: "plot",
+        domains: CURVES,
+        selected_by: &["gallery"],
+        doc: "A sheet with all kinds of planar cubics, the ways from one to another, and the tree that tells them apart",
+        example: "casteljau plot --gallery -o gallery.svg",
+        parameters: &[optional("gallery", Kind::Flag, "gallery", "all kinds of planar cubics instead of one curve")],
+        growth: Growth::Direct,
+        run: Run::Numeric(picture::gallery),
     },
     Operation {
         name: "quadric.surface",
