@@ -5,7 +5,7 @@
 //! `κ12 = 9 A`, `κ31 = 3 (2A - B)`, `κ23 = 3 (A - B + C)` and
 //! `D = 27 (B² - 4 A C)`; none of the classes depends on the frame.
 
-use super::CubicClass;
+use super::{CubicClass, Invariants};
 use crate::affine::Interval;
 use crate::error::Error;
 use crate::exact::{Rational, gcd::gcd_u64};
@@ -103,10 +103,8 @@ fn quotient(a: u64, b: u64) -> u64 {
 
 /// The slow and obvious way, for coordinates of any length.
 fn by_invariants(points: &[Rational; 8]) -> CubicClass {
-    let class = || -> Result<CubicClass, Error> {
-        let curve = Segment::new(2, points.to_vec(), Interval::unit())?.curve()?;
-        Ok(super::Cubic::new(&curve)?.class())
-    };
+    let class =
+        || -> Result<CubicClass, Error> { Ok(Invariants::of(&Segment::new(2, points.to_vec(), Interval::unit())?.curve()?)?.class()) };
     // Four points of the plane are a planar cubic, and none of the steps can fail.
     class().unwrap_or(CubicClass::Straight)
 }

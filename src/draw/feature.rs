@@ -11,6 +11,9 @@ use crate::segment::Segment;
 /// The longest text of the coordinates of a point that is written out exactly.
 const LONGEST: usize = 22;
 
+/// Coordinates of more bits than these have no special points in a picture.
+const MAX_BITS: u64 = 4096;
+
 /// What a picture shows of a cubic beside its control points.
 #[derive(Debug)]
 pub(super) struct Features {
@@ -35,7 +38,8 @@ impl Features {
             return None;
         }
         let cubic = Cubic::new(&segment.curve().ok()?).ok()?;
-        if cubic.true_degree() < 2 {
+        let longest = segment.coordinates().iter().map(Rational::bits).max().unwrap_or(0);
+        if cubic.true_degree() < 2 || longest > MAX_BITS {
             return None;
         }
         let special = cubic.special_points();

@@ -8,6 +8,9 @@ use crate::error::Error;
 use crate::exact::Rational;
 use crate::exact::univariate::{PrimeField, previous_prime};
 
+/// What finding a prime costs, in divisions.
+const PRIME_SEARCH: u64 = 1 << 15;
+
 /// The terms of a polynomial in `X` and `Y`: exponents and coefficients.
 type Terms = Vec<(usize, usize, BigInt)>;
 
@@ -30,7 +33,11 @@ pub(super) fn check(coordinates: &[Vec<Rational>; 2]) -> Result<(), Error> {
     let [f, g] = coordinates.each_ref().map(|list| Rational::clear_to_integers(list));
     let work = (degree(&f) * degree(&f).max(1) * degree(&g).max(1) * degree(&g).max(1)) as u64;
     let primes = bits(&f, &g) / 30 + 1;
-    if work.saturating_mul(primes) > ImplicitCurve::MAX_STEPS {
+    // Finding the primes, working modulo each, and putting together what was found, which grows with every one.
+    let terms = ((degree(&f) + 1) * (degree(&g) + 1)) as u64;
+    let steps =
+        work.saturating_add(PRIME_SEARCH).saturating_mul(primes).saturating_add(primes.saturating_mul(primes).saturating_mul(terms));
+    if steps > ImplicitCurve::MAX_STEPS {
         return Err(Error::TooLarge { what: "work for an implicit equation, counted in steps,", limit: ImplicitCurve::MAX_STEPS as usize });
     }
     Ok(())

@@ -11,11 +11,21 @@ use crate::segment::Segment;
 use crate::symbolic::Polynomial;
 use crate::value::{Answer, Arguments, CubicFinding, Finding, Value};
 
+/// The longest coefficients; special points are some ten times as long.
+const MAX_BITS: u64 = 1 << 15;
+
 type Fields = Vec<(&'static str, Value)>;
 
 pub(super) fn classify(arguments: &Arguments) -> Result<Answer, Error> {
     let given = Given::of(arguments)?;
     let cubic = Cubic::new(&given.curve)?;
+    let longest = cubic.vectors().iter().flatten().map(Rational::bits).max().unwrap_or(0);
+    if longest > MAX_BITS {
+        return Err(Error::TooLarge {
+            what: "length of a coefficient of a cubic whose special points are computed, in bits,",
+            limit: MAX_BITS as usize,
+        });
+    }
     let special = cubic.special_points();
     let portion = given.frame.as_ref().map(|frame| cubic.portion(&special, frame));
     let normal = cubic.normal_form();
