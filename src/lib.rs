@@ -35,18 +35,20 @@
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
 //! | [`value`], `model` | what operations take and give; shapes in files |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots` | the nouns |
+//! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
 //! | `symbolic` | symbols, monomials, polynomials |
-//! | `exact` | rational numbers, decimals, gcds, widths of integers |
+//! | `exact` | rational numbers, numbers `a ± √d`, decimals, gcds, widths of integers |
 //! | `error` | what can be wrong with a request |
 //!
 //! The library without the default feature `cli` has no command line, no JSON
 //! and none of the packages these need.
 
 mod affine;
+mod algebraic;
 #[cfg(feature = "cli")]
 pub mod batch;
 mod bernstein;
@@ -55,12 +57,14 @@ mod blossom;
 #[cfg(feature = "cli")]
 pub mod cli;
 mod control;
+mod cubic;
 mod curve;
 pub mod draw;
 mod error;
 mod exact;
 mod flatness;
 mod hull;
+mod implicit;
 mod kernel;
 mod matrix;
 mod mesh;
@@ -68,6 +72,7 @@ mod mesh;
 pub mod model;
 pub mod ops;
 mod piece;
+mod quadric;
 mod reading;
 mod rectangular;
 pub mod report;
@@ -84,18 +89,26 @@ pub mod value;
 mod weights;
 
 pub use affine::{AffineMap, Frame, Interval, Parameter, Place, PlaneParameter, Rectangle, Triangle};
+pub use algebraic::{AlgebraicNumber, IsolatedRoot};
 pub use bernstein::Bernstein;
 pub use bilinear::{CommonSteps, TwoSteps};
 pub use blossom::{PolarDefect, PolarForm, check_polar_form, sigma};
+pub use cubic::{
+    Branch, Breakpoint, ClassChange, Cubic, CubicClass, Direction, Distance, Equivalence, Family, Feature, Graph, Image, Intention,
+    Invariants, MedianLine, NormalForm, Portion, PortionShape, Replacement, Rotated, SemiNormalForm, Special, SpecialPoint, Straight,
+    classify_array, classify_rationals,
+};
 pub use curve::Curve;
 pub use error::Error;
-pub use exact::{MAX_DIGITS, ParseNumberError, Rational};
+pub use exact::{MAX_DIGITS, ParseNumberError, Rational, Surd};
 pub use flatness::Flattening;
 pub use hull::{ConvexHull, bounding_box};
+pub use implicit::{ConicType, ImplicitCurve, Parameters};
 pub use kernel::coefficient::Coefficient;
 pub use matrix::bernstein_matrix;
 pub use mesh::Mesh;
 pub use piece::{Equation, Piece};
+pub use quadric::{QUADRIC_MONOMIALS, QuadricClass, QuadricSurface};
 pub use reading::{PolarTerm, Reading};
 pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, bidegree_label};
 pub use roots::{RealRoots, Root, RootPlace};

@@ -8,7 +8,6 @@ use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::exact::univariate::IntegerPolynomial;
-use crate::kernel::coefficient::Compute;
 
 /// A real root: the number itself where it is rational, else an open interval
 /// that holds this root and no other, with rational ends.
@@ -91,7 +90,7 @@ impl RealRoots {
     /// numbers; [`Error::TooLarge`] above [`RealRoots::MAX_DEGREE`], and if two
     /// roots are closer than [`RealRoots::MAX_HALVINGS`] halvings of the frame tell.
     pub fn inside(coefficients: &[Rational], frame: &Interval) -> Result<Self, Error> {
-        let whole = IntegerPolynomial::primitive(cleared(coefficients));
+        let whole = IntegerPolynomial::primitive(Rational::clear_to_integers(coefficients));
         if whole.is_zero() {
             return Err(Error::Unsupported("the polynomial is zero everywhere: every number is a root".into()));
         }
@@ -104,7 +103,7 @@ impl RealRoots {
             let list = polynomial.coefficients().iter().cloned().map(Rational::from).collect();
             let segment = Curve::new(vec![list])?.segment(&frame)?;
             let mut roots = Vec::new();
-            isolate(cleared(segment.coordinates()), frame.r().clone(), frame.s().clone(), &mut roots)?;
+            isolate(Rational::clear_to_integers(segment.coordinates()), frame.r().clone(), frame.s().clone(), &mut roots)?;
             factors.push(Factor { polynomial, multiplicity, roots });
         }
         Ok(Self { factors, resolution: (frame.s() - frame.r()) * Rational::new(1, Self::SHOWN) })
@@ -202,11 +201,6 @@ impl Factor {
         let simplest = if low == high { low.clone() } else { simplest_between(low, high) };
         (self.polynomial.sign_at(&simplest) == 0).then_some(Isolated::Exact(simplest))
     }
-}
-
-/// Numbers times their common denominator.
-fn cleared(numbers: &[Rational]) -> Vec<BigInt> {
-    Rational::clear(numbers).0.iter().map(Rational::numer).collect()
 }
 
 /// The sign changes in a list, zeros dropped. For the Bernstein coefficients

@@ -97,6 +97,9 @@ fn value(kind: Kind, domain: Domain, raw: &RawValue, name: &str) -> Result<Value
         Kind::Curve => Value::Curve(curve(raw)?),
         Kind::Surface => Value::Surface(surface(raw, domain)?),
         Kind::Terms => Value::Surface(terms(raw)?),
+        Kind::AnySurface => Value::Surface(any_surface(raw, domain)?),
+        Kind::Shape if raw.get().starts_with('[') => Value::Points(points(raw)?),
+        Kind::Shape => Value::Curve(curve(raw)?),
         Kind::Points if domain == Domain::Curve => Value::Points(points(raw)?),
         Kind::Points => Value::Rows(rows(raw)?),
         Kind::Weights => Value::Numbers(weights(raw)?),
@@ -156,6 +159,17 @@ fn surface(raw: &RawValue, domain: Domain) -> Result<Surface, Fault> {
     };
     let lists = list(fields.require("terms", "a surface")?, "the terms")?;
     Ok(Surface::new(reading, lists.into_iter().map(terms_of).collect::<Result<_, _>>()?)?)
+}
+
+/// A surface whose degree may be left out; it is the least total degree then.
+fn any_surface(raw: &RawValue, domain: Domain) -> Result<Surface, Fault> {
+    let fields = Fields::of(raw, "a surface")?;
+    if fields.get("degree").is_some() {
+        return surface(raw, domain);
+    }
+    fields.only(&["terms"], "a surface")?;
+    let lists = list(fields.require("terms", "a surface")?, "the terms")?;
+    Ok(Surface::total(lists.into_iter().map(terms_of).collect::<Result<_, _>>()?)?)
 }
 
 /// The terms of one coordinate, read by the least total degree.

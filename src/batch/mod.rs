@@ -8,7 +8,7 @@ use serde_json::value::RawValue;
 
 use crate::model::{Fault, Fields};
 use crate::ops::Operation;
-use crate::report::json;
+use crate::report::stream::output_text;
 
 /// The most bytes of one request.
 pub const MAX_LINE: usize = 16 << 20;
@@ -76,11 +76,11 @@ fn answer(line: &[u8], output: &mut impl Write) -> io::Result<()> {
     write_answer(output, id, op, carry_out(&request))
 }
 
-fn carry_out(request: &Fields<'_>) -> Result<serde_json::Value, Fault> {
+fn carry_out(request: &Fields<'_>) -> Result<String, Fault> {
     let name: String = crate::model::plain(request.require("op", "a request")?, "the name of an operation")?;
     let operation = Operation::named(&name).ok_or_else(|| unknown_operation(&name))?;
     let arguments = decode::arguments(operation, request.require("input", "a request")?)?;
-    Ok(json::output(&operation.on_numbers(&arguments)?)?)
+    Ok(output_text(&operation.on_numbers(&arguments)?)?)
 }
 
 /// Says what there is instead: the operations with the most similar names.
@@ -94,12 +94,7 @@ fn unknown_operation(name: &str) -> Fault {
 }
 
 /// Writes an answer; `id` and `op` go back as they were spelled.
-fn write_answer(
-    output: &mut impl Write,
-    id: Option<&RawValue>,
-    op: Option<&RawValue>,
-    result: Result<serde_json::Value, Fault>,
-) -> io::Result<()> {
+fn write_answer(output: &mut impl Write, id: Option<&RawValue>, op: Option<&RawValue>, result: Result<String, Fault>) -> io::Result<()> {
     write!(output, "{{\"id\":{}", id.map_or("null", RawValue::get))?;
     match result {
         Ok(found) => writeln!(output, ",\"op\":{},\"output\":{found}}}", op.map_or("null", RawValue::get)),

@@ -155,7 +155,8 @@ fn flag(parameter: &'static Parameter) -> Arg {
         Kind::Map => "IMAGE",
         Kind::Plane => "EQUATION",
         Kind::Point => "POINT",
-        Kind::Curve | Kind::Surface | Kind::Terms | Kind::Points | Kind::Weights | Kind::Numbers => "VALUE",
+        Kind::Shape => "OTHER",
+        Kind::Curve | Kind::Surface | Kind::AnySurface | Kind::Terms | Kind::Points | Kind::Weights | Kind::Numbers => "VALUE",
     };
     argument.value_name(name)
 }

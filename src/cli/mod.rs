@@ -65,7 +65,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
     match verb {
         "batch" => {
-            crate::batch::run(io::stdin().lock(), io::stdout().lock()).map_err(Problem::output)?;
+            crate::batch::run(io::stdin().lock(), io::BufWriter::with_capacity(1 << 16, io::stdout().lock())).map_err(Problem::output)?;
             Ok(true)
         }
         "completions" => {
@@ -86,7 +86,8 @@ fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
         writable(path)?;
     }
     let mut notes = Vec::new();
-    let given = Given::of(verb, matches, "input", &mut notes)?;
+    // A gallery is of nothing in particular.
+    let given = if select::is_given(matches, "gallery") { None } else { Given::of(verb, matches, "input", &mut notes)? };
     let other = Given::of(verb, matches, "other", &mut notes)?;
     if let (Some(weight), Some(Given::Points(_) | Given::File(_))) = (select::text_of(matches, "weight"), &given) {
         return Err(Problem::plain(format!("--weight {weight} goes with an equation; control points have a weight each, as in (1,1):2")));

@@ -10,13 +10,13 @@ use super::variables;
 use crate::affine::{AffineMap, Frame, Parameter as PolarParameter, PlaneParameter};
 use crate::curve::Curve;
 use crate::model::ShapeFile;
-use crate::ops::{Kind, Operation, Parameter};
+use crate::ops::{Kind, Operation, Parameter, Run};
 use crate::piece::Piece;
 use crate::reading::Reading;
 use crate::surface::{Surface, Term};
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::limits::MAX_DEGREE;
-use crate::syntax::{self, MapInput, Nesting, PointInput, PointsInput, SyntaxError, Variables};
+use crate::syntax::{self, Input, MapInput, Nesting, PointInput, PointsInput, SyntaxError, Variables};
 use crate::triangular::triangular_degree;
 use crate::value::{Arguments, Domain, Value};
 
@@ -26,7 +26,12 @@ pub(super) fn needs_numbers(operation: &Operation, symbol: Symbol, name: &str) -
         Some(parameter) if !parameter.flag.is_empty() => format!("--{}", parameter.flag),
         _ => "the input".to_owned(),
     };
-    Problem::plain(format!("`{}` needs numbers, but {place} contains the symbolic parameter `{symbol}`", operation.verb))
+    let problem = Problem::plain(format!("`{}` needs numbers, but {place} contains the symbolic parameter `{symbol}`", operation.verb));
+    let on_symbols = Operation::of_verb(operation.verb).filter(|other| matches!(other.run, Run::Any(..)));
+    match on_symbols.flat_map(|other| other.selected_by.iter().filter_map(|name| other.parameter(name))).next() {
+        Some(parameter) => problem.with_help(format!("--{} takes symbolic parameters", parameter.flag)),
+        None => problem,
+    }
 }
 
 /// The names of the arguments that a shape becomes.
@@ -328,7 +333,18 @@ impl Reader<'_> {
                     return Err(Problem::plain(format!("{name} is one of {}, found `{}`", words.join(", "), crate::model::excerpt(text))));
                 }
             },
-            Kind::Flag | Kind::Curve | Kind::Surface | Kind::Terms | Kind::Points | Kind::Weights => Value::Nothing,
+            Kind::Points => Value::Points(points_of(text).map_err(problem)?),
+            Kind::Shape => match syntax::parse_input(text, variables(self.matches)?.as_deref()).map_err(problem)? {
+                Input::Points(_) => Value::Points(points_of(text).map_err(problem)?),
+                Input::Map(map) => match map.variables {
+                    Variables::Curve(variable) => {
+                        let coordinates = map.components.iter().map(|component| component.coefficients_in(variable)).collect();
+                        Value::Curve(Curve::new(coordinates)?)
+                    }
+                    Variables::Surface(..) => return Err(Problem::plain(format!("{name} takes a curve; this was read as a surface"))),
+                },
+            },
+            Kind::Flag | Kind::Curve | Kind::Surface | Kind::AnySurface | Kind::Terms | Kind::Weights => Value::Nothing,
         })
     }
 

@@ -55,7 +55,8 @@ pub(super) fn select(
         }
     }
     if weighted && operation.parameter("weights").is_none() && operation.parameter("weight").is_none() {
-        return Err(Problem::plain(format!("`{verb}` takes polynomial shapes here, without weights")));
+        return Err(Problem::plain(format!("`{verb}` takes polynomial shapes here, without weights"))
+            .with_help("weights that are all equal can be left out; `eval`, `split`, `reframe` and `equation` take others"));
     }
     Ok(Selection { operation, domain, chose_reading })
 }

@@ -49,6 +49,11 @@ impl Caption {
         Self { title, notes, keys: Vec::new() }
     }
 
+    /// Adds something to what is said below the title.
+    pub(super) fn add_note(&mut self, note: String) {
+        self.notes.push(note);
+    }
+
     /// What the picture is called.
     pub(super) fn title(&self) -> &str {
         &self.title

@@ -4,6 +4,7 @@ use super::arrow::arrow;
 use super::axes::draw_axes;
 use super::bezier::{Bezier, Point, distance, polygon};
 use super::caption::Caption;
+use super::feature::Features;
 use super::label::{Obstacles, draw_labels};
 use super::mark::{Mark, Rank, control_name, draw_dots, labels, polar_name};
 use super::number::short;
@@ -46,6 +47,7 @@ pub struct CurvePicture {
     parameter: Option<Rational>,
     depth: Option<usize>,
     angles: [i32; 2],
+    features: bool,
 }
 
 impl CurvePicture {
@@ -57,7 +59,7 @@ impl CurvePicture {
     /// The curve and its control polygon, with labels.
     #[must_use]
     pub fn new(segment: Segment) -> Self {
-        Self { segment, parameter: None, depth: None, angles: [30, 25] }
+        Self { segment, parameter: None, depth: None, angles: [30, 25], features: false }
     }
 
     /// Also the shells of de Casteljau's algorithm at a parameter, inside the
@@ -71,6 +73,14 @@ impl CurvePicture {
     #[must_use]
     pub fn with_subdivision(self, depth: usize) -> Self {
         Self { depth: Some(depth), ..self }
+    }
+
+    /// The special points and the median line of a planar cubic beside the
+    /// steps of an algorithm too; without steps they are always shown, as far
+    /// as they belong to the segment.
+    #[must_use]
+    pub fn with_features(self) -> Self {
+        Self { features: true, ..self }
     }
 
     /// The direction a curve in space is looked at from, in degrees: the angle
@@ -94,7 +104,13 @@ impl CurvePicture {
         if self.segment.degree() > Self::MAX_DEGREE {
             return Err(Error::TooLarge { what: "degree of a picture", limit: Self::MAX_DEGREE });
         }
-        let caption = Caption::new(&self.segment, self.parameter.as_ref(), self.depth);
+        // The steps of an algorithm and the features of the curve would hide each other.
+        let plain = self.parameter.is_none() && self.depth.is_none();
+        let features = if plain || self.features { Features::of(&self.segment) } else { None };
+        let mut caption = Caption::new(&self.segment, self.parameter.as_ref(), self.depth);
+        if let Some(features) = &features {
+            caption.add_note(features.note.clone());
+        }
         let scene = Scene::new(&self.segment, self.parameter.as_ref(), self.angles, caption.height())?;
         let rect = scene.view.rect;
         let [right, bottom] = if scene.space.is_some() { [20.0, 6.0] } else { [24.0, 40.0] };
@@ -105,9 +121,15 @@ impl CurvePicture {
         let mut obstacles = Obstacles::default();
         self.draw_ground(&mut svg, &scene, &mut obstacles)?;
         self.draw_polygons(&mut svg, &scene, &mut obstacles);
-        self.draw_curve(&mut svg, &scene, &mut obstacles);
+        if let Some([from, to]) = features.as_ref().and_then(|features| features.median(&scene.view)) {
+            svg.line(from, to, Stroke::dashed(style::MEDIAN, 1.5, "9 4 2 4"));
+            obstacles.add(&[from, to], 0.4);
+        }
+        let own: Vec<Mark> = features.iter().flat_map(|features| features.marks(&scene.view)).collect();
+        self.draw_curve(&mut svg, &scene, &own, &mut obstacles);
         self.draw_pieces(&mut svg, &scene, &mut obstacles);
-        let marks = self.marks(&scene)?;
+        let mut marks = self.marks(&scene)?;
+        marks.extend(own);
         draw_dots(&mut svg, &marks);
         obstacles.dots.extend(marks.iter().map(|mark| (mark.at, 4.0)));
         svg.open("labels");
@@ -168,7 +190,7 @@ impl CurvePicture {
     }
 
     /// The curve, and where it goes outside of its frame.
-    fn draw_curve(&self, svg: &mut Svg, scene: &Scene, obstacles: &mut Obstacles) {
+    fn draw_curve(&self, svg: &mut Svg, scene: &Scene, features: &[Mark], obstacles: &mut Obstacles) {
         let curve = scene.curve();
         svg.open("curve");
         if scene.space.is_none() && self.segment.degree() <= MAX_CONTINUED {
@@ -189,6 +211,7 @@ impl CurvePicture {
         obstacles.add(&curve.samples(CHORDS), 1.7);
         let mut dots = scene.control();
         dots.extend(scene.layers().into_iter().flatten().chain(scene.point()));
+        dots.extend(features.iter().map(|mark| mark.at));
         if let Some(depth) = self.depth.filter(|&depth| depth <= MAX_MARKED) {
             dots.extend(curve.samples(1 << depth));
         }

@@ -26,6 +26,10 @@ pub(super) enum Rank {
     /// A point of this step of de Casteljau's algorithm, of this many.
     Step(usize, usize),
     Point,
+    /// A flex, a cusp, a crossing: a point that the curve has by itself.
+    Feature,
+    /// A point beside the curve that belongs to it all the same.
+    Isolated,
 }
 
 /// A dot and what it is called.
@@ -71,6 +75,8 @@ impl Mark {
             Rank::Control => 4.0,
             Rank::Step(..) => 3.3,
             Rank::Point => 6.0,
+            Rank::Feature => 5.0,
+            Rank::Isolated => 4.2,
         }
     }
 
@@ -79,6 +85,7 @@ impl Mark {
             Rank::Control => style::CONTROL.into(),
             Rank::Step(step, steps) => style::step_colour(step, steps),
             Rank::Point => style::POINT.into(),
+            Rank::Feature | Rank::Isolated => style::FEATURE.into(),
         }
     }
 
@@ -94,12 +101,18 @@ pub(super) fn draw_dots(svg: &mut Svg, marks: &[Mark]) {
     sorted.sort_by_key(|mark| match mark.rank {
         Rank::Step(step, _) => (0, step),
         Rank::Control => (1, 0),
-        Rank::Point => (2, 0),
+        Rank::Feature | Rank::Isolated => (2, 0),
+        Rank::Point => (3, 0),
     });
     svg.open("points");
     for mark in sorted {
-        let tip = if mark.name.is_empty() { String::new() } else { mark.told() };
-        svg.dot(mark.at, mark.radius() * shrink, &mark.colour(), Stroke::solid("#ffffff", 1.2), &tip);
+        let tip = if mark.name.is_empty() || mark.value.is_empty() { mark.name.clone() } else { mark.told() };
+        let colour = mark.colour();
+        let (fill, outline) = match mark.rank {
+            Rank::Isolated => ("#ffffff", Stroke::solid(&colour, 1.8)),
+            Rank::Control | Rank::Step(..) | Rank::Point | Rank::Feature => (colour.as_str(), Stroke::solid("#ffffff", 1.2)),
+        };
+        svg.dot(mark.at, mark.radius() * shrink, fill, outline, &tip);
     }
     svg.close();
 }
@@ -110,7 +123,8 @@ pub(super) fn labels(marks: &[Mark]) -> Vec<Label> {
     let order = |mark: &&Mark| match mark.rank {
         Rank::Point => 0,
         Rank::Control => 1,
-        Rank::Step(..) => 2,
+        Rank::Feature | Rank::Isolated => 2,
+        Rank::Step(..) => 3,
     };
     let mut named: Vec<&Mark> = marks.iter().filter(|mark| !mark.name.is_empty()).collect();
     named.sort_by_key(order);
@@ -135,7 +149,8 @@ fn label(group: &[&Mark]) -> Option<Label> {
     let is_step = matches!(first.rank, Rank::Step(..));
     let value = if first.told { equation("", &tuple(&first.value)).trim_start().to_owned() } else { String::new() };
     let mut lines = Vec::new();
-    if group.iter().all(|mark| mark.value == first.value) {
+    let is_feature = matches!(first.rank, Rank::Feature | Rank::Isolated);
+    if !is_feature && group.iter().all(|mark| mark.value == first.value) {
         let names = match group {
             [only] => only.name.clone(),
             [one, two] => format!("{} = {}", one.name, two.name),

@@ -10,6 +10,8 @@ mod axes;
 mod bezier;
 mod caption;
 mod curve;
+mod feature;
+mod gallery;
 mod label;
 mod mark;
 mod model;
@@ -26,5 +28,6 @@ mod view;
 mod tests;
 
 pub use curve::CurvePicture;
+pub use gallery::gallery;
 pub use model::{glb, obj};
 pub use patch::PatchPicture;

@@ -24,6 +24,10 @@ pub(super) const CONTROL: &str = "#333f4b";
 pub(super) const SHADOW: &str = "#c3ccd5";
 /// The point `F(t)`.
 pub(super) const POINT: &str = "#c2184b";
+/// Flexes, cusps and other points that the curve itself has.
+pub(super) const FEATURE: &str = "#0a7d55";
+/// The median line of a cubic.
+pub(super) const MEDIAN: &str = "#7fbfa5";
 /// The pieces of a subdivision, in turn.
 pub(super) const PIECES: [&str; 2] = ["#7a5ba6", "#2f8f7f"];
 

@@ -8,8 +8,10 @@ pub(crate) mod gcd;
 pub(crate) mod lowest;
 pub(crate) mod magnitude;
 mod rational;
+mod surd;
 pub(crate) mod univariate;
 pub(crate) mod width;
 
 pub use decimal::{MAX_DIGITS, ParseNumberError};
 pub use rational::Rational;
+pub use surd::Surd;

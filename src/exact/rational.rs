@@ -310,6 +310,13 @@ impl PartialOrd for Rational {
 
 impl fmt::Display for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if f.width().is_none() && !f.sign_plus() {
+            return match &self.0 {
+                Repr::Small { numer, denom } if denom.get() == 1 => write!(f, "{numer}"),
+                Repr::Small { numer, denom } => write!(f, "{numer}/{denom}"),
+                Repr::Big(big) => write!(f, "{big}"),
+            };
+        }
         let text = match &self.0 {
             Repr::Small { numer, denom } if denom.get() == 1 => numer.to_string(),
             Repr::Small { numer, denom } => format!("{numer}/{denom}"),

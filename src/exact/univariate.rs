@@ -62,7 +62,7 @@ impl IntegerPolynomial {
 
     /// The quotient if the division has no remainder. By Gauss's lemma the
     /// quotient of primitive polynomials has integer coefficients.
-    fn divide(&self, divisor: &Self) -> Option<Self> {
+    pub(crate) fn divide(&self, divisor: &Self) -> Option<Self> {
         let leading = divisor.0.last()?;
         let mut rest = self.0.clone();
         let mut quotient = vec![BigInt::ZERO; (self.0.len() + 1).saturating_sub(divisor.0.len())];
@@ -134,6 +134,11 @@ impl IntegerPolynomial {
         }
     }
 
+    /// The polynomial with the same roots, each once.
+    pub(crate) fn square_free_part(&self) -> Self {
+        self.divide(&self.gcd(&self.derivative())).unwrap_or_else(|| self.clone())
+    }
+
     /// The square-free factors with their multiplicities, constants left out
     /// (the common divisor with the derivative holds every root one time less).
     pub(crate) fn square_free_factors(&self) -> Vec<(Self, usize)> {
@@ -157,16 +162,25 @@ impl IntegerPolynomial {
 }
 
 /// The largest prime below a number above 2.
-fn previous_prime(below: u64) -> u64 {
+pub(crate) fn previous_prime(below: u64) -> u64 {
     let is_prime = |n: &u64| *n % 2 == 1 && (3..).step_by(2).take_while(|d| d * d <= *n).all(|d| !(*n).is_multiple_of(d));
     (2..below).rev().find(is_prime).unwrap_or(2)
 }
 
 /// The numbers modulo a prime below `2^31`, so that products fit a word.
-struct PrimeField(u64);
+pub(crate) struct PrimeField(u64);
 
 impl PrimeField {
-    fn reduce(&self, value: &BigInt) -> u64 {
+    /// The field of a prime below `2^31`.
+    pub(crate) fn new(prime: u64) -> Self {
+        Self(prime)
+    }
+
+    pub(crate) fn prime(&self) -> u64 {
+        self.0
+    }
+
+    pub(crate) fn reduce(&self, value: &BigInt) -> u64 {
         let rest = (value.magnitude() % self.0).to_u64().unwrap_or(0);
         if value.is_negative() && rest != 0 { self.0 - rest } else { rest }
     }
@@ -175,7 +189,7 @@ impl PrimeField {
         trimmed(coefficients.iter().map(|c| self.reduce(c)).collect())
     }
 
-    fn inverse(&self, value: u64) -> u64 {
+    pub(crate) fn inverse(&self, value: u64) -> u64 {
         // Fermat: value^(p-2).
         let (mut result, mut base, mut exponent) = (1, value % self.0, self.0 - 2);
         while exponent > 0 {

@@ -126,6 +126,18 @@ impl Coefficient for Polynomial {
     }
 }
 
+impl Rational {
+    /// Numbers times their common denominator.
+    pub(crate) fn clear_to_integers(numbers: &[Self]) -> Vec<BigInt> {
+        Self::clear(numbers).0.iter().map(Self::numer).collect()
+    }
+
+    /// The least common denominator of numbers.
+    pub(crate) fn common_denominator(numbers: &[Self]) -> BigInt {
+        CommonDenominator::of(numbers).to_big()
+    }
+}
+
 impl Ring for Rational {
     #[inline]
     fn nothing() -> Self {

@@ -4,8 +4,10 @@
 //! their own spelling of the arguments into [`Arguments`](crate::value::Arguments),
 //! run the row, and render the [`Answer`](crate::value::Answer).
 
+mod cubic;
 mod curve;
 mod geometry;
+mod implicit;
 pub(crate) mod limits;
 mod numbers;
 mod picture;

@@ -24,6 +24,9 @@ pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
                 None => {}
             }
             picture = depth.into_iter().fold(picture, CurvePicture::with_subdivision);
+            if arguments.flag("features") {
+                picture = picture.with_features();
+            }
             view.into_iter().fold(picture, |picture, [azimuth, elevation]| picture.with_view(azimuth, elevation)).svg()?
         }
         patch => {
@@ -38,6 +41,11 @@ pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
         }
     };
     Ok(Answer::new(vec![("svg", Value::Document(svg))]))
+}
+
+/// All kinds of planar cubics.
+pub(super) fn gallery(_: &Arguments) -> Result<Answer, Error> {
+    Ok(Answer::new(vec![("svg", Value::Document(crate::draw::gallery()?))]))
 }
 
 pub(super) fn mesh(arguments: &Arguments) -> Result<Answer, Error> {

@@ -6,6 +6,7 @@ use super::formula::Notation;
 use crate::affine::Frame;
 use crate::blossom::{PolarDefect, PolarForm};
 use crate::error::Error;
+use crate::exact::Surd;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::Piece;
 use crate::reading::{PolarTerm, Reading};
@@ -61,6 +62,10 @@ fn net<C: Coefficient>(piece: &Piece<C>) -> Json {
     }
 }
 
+fn surd(surd: &Surd) -> Json {
+    json!({"a": surd.rational().to_string(), "sgn": surd.sign(), "rad": surd.radicand().to_string()})
+}
+
 fn piece<C: Coefficient>(piece: &Piece<C>, weighted: bool) -> Json {
     let degree = match piece {
         Piece::Curve(segment) => json!(segment.degree()),
@@ -93,7 +98,7 @@ fn layers<C: Coefficient>(layers: &Layers<C>) -> Json {
     layers.layers.iter().map(layer).collect()
 }
 
-fn encode<C: Coefficient>(value: &Value<C>, weighted: bool) -> Result<Json, Error> {
+pub(super) fn encode<C: Coefficient>(value: &Value<C>, weighted: bool) -> Result<Json, Error> {
     Ok(match value {
         Value::Truth(truth) => Json::Bool(*truth),
         Value::Count(count) => json!(count),
@@ -102,6 +107,8 @@ fn encode<C: Coefficient>(value: &Value<C>, weighted: bool) -> Result<Json, Erro
         Value::Document(text) => json!(text),
         Value::Number(value) => number(value),
         Value::Numbers(values) | Value::Point(values) => point(values),
+        Value::Surd(value) => surd(value),
+        Value::Surds(values) => values.iter().map(surd).collect(),
         Value::Points(points) | Value::Matrix(points) => points.iter().map(|coordinates| point(coordinates)).collect(),
         Value::Rows(rows) => rows.iter().map(|row| row.iter().map(|coordinates| point(coordinates)).collect::<Json>()).collect(),
         Value::Frame(value) => frame(value),

@@ -39,6 +39,8 @@ fn expression<C: Coefficient>(value: &Value<C>, notation: &Notation) -> String {
         Value::Count(count) => count.to_string(),
         Value::Number(number) => notation.number(number),
         Value::Numbers(numbers) => point(numbers, notation),
+        Value::Surd(surd) => notation.surd(surd),
+        Value::Surds(surds) => list(&surds.iter().map(|surd| notation.surd(surd)).collect::<Vec<_>>()),
         Value::Point(value) => point(value, notation),
         Value::Points(values) => points(&mut values.iter().map(Vec::as_slice)),
         Value::Frame(Frame::Interval(frame)) => point(&[frame.r().clone(), frame.s().clone()], notation),

@@ -1,5 +1,6 @@
 //! Answers as LaTeX.
 
+use super::finding;
 use super::formula::Notation;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::Piece;
@@ -11,7 +12,10 @@ use crate::value::{Answer, Arguments, Value};
 /// A message if the answer has no formula to typeset, or one that is too long.
 pub fn latex<C: Coefficient>(arguments: &Arguments<C>, answer: &Answer<C>, notation: &Notation) -> Result<String, String> {
     let mut lines = Vec::new();
-    for (name, value) in &answer.fields {
+    if let Some(finding) = &answer.finding {
+        lines = finding::formulas(finding, notation);
+    }
+    for (name, value) in answer.fields.iter().filter(|_| answer.finding.is_none()) {
         field(name, value, arguments, answer.weighted, notation, &mut lines)?;
     }
     match lines.as_slice() {

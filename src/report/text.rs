@@ -1,6 +1,7 @@
 //! Answers as people read them.
 
 use super::decimal::decimal;
+use super::finding;
 use super::formula::Notation;
 use crate::affine::{Frame, Interval};
 use crate::blossom::{PolarDefect, PolarForm};
@@ -19,6 +20,9 @@ use crate::weights::projected;
 /// # Errors
 /// A message if a polar form has more terms than are ever written out.
 pub fn text<C: Coefficient>(arguments: &Arguments<C>, answer: &Answer<C>, notation: &Notation) -> Result<String, String> {
+    if let Some(finding) = &answer.finding {
+        return Ok(finding::text(finding, notation));
+    }
     let mut page = Page { notation, arguments, weighted: answer.weighted, lines: Vec::new() };
     for (name, value) in &answer.fields {
         page.field(name, value, answer.fields.len() > 1)?;
@@ -55,6 +59,8 @@ impl<C: Coefficient> Page<'_, C> {
                 self.lines.push(format!("{title}: {}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number))))
             }
             Value::Numbers(numbers) => self.numbers(name, &title, numbers),
+            Value::Surd(surd) => self.lines.push(format!("{title}: {}", self.notation.surd(surd))),
+            Value::Surds(surds) => self.lines.push(format!("{title}: {}", self.notation.surds(surds))),
             Value::Point(point) => {
                 let heading = self.notation.heading(self.arguments, name).unwrap_or(title);
                 let equals = if heading.contains('(') { " =" } else { ":" };

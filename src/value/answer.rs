@@ -3,13 +3,15 @@
 use crate::affine::{AffineMap, Frame, Parameter, PlaneParameter};
 use crate::blossom::{PolarDefect, PolarForm};
 use crate::curve::Curve;
-use crate::exact::Rational;
+use crate::exact::{Rational, Surd};
 use crate::mesh::Mesh;
 use crate::piece::{Equation, Piece};
 use crate::reading::Reading;
 use crate::scheme::Scheme;
 use crate::surface::Surface;
 use crate::symbolic::{Polynomial, Symbol};
+
+use super::Finding;
 
 /// One argument or one part of an answer.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,10 @@ pub enum Value<C = Rational> {
     Number(C),
     /// A list of numbers.
     Numbers(Vec<C>),
+    /// A number `a ± √d`.
+    Surd(Surd),
+    /// Numbers `a ± √d`: a point, or a list of parameters.
+    Surds(Vec<Surd>),
     /// A point or a vector.
     Point(Vec<C>),
     /// Points without labels: a polyline, a hull, the control points of a curve.
@@ -109,13 +115,21 @@ pub struct Answer<C = Rational> {
     pub holds: Option<bool>,
     /// Whether control points are homogeneous, their last coordinate being the weight.
     pub weighted: bool,
+    /// The same for people, where that has a text of its own.
+    pub finding: Option<Finding>,
 }
 
 impl<C> Answer<C> {
     /// An answer with these parts.
     #[must_use]
     pub fn new(fields: Vec<(&'static str, Value<C>)>) -> Self {
-        Self { fields, holds: None, weighted: false }
+        Self { fields, holds: None, weighted: false, finding: None }
+    }
+
+    /// The same with a text of its own for people.
+    #[must_use]
+    pub fn with_finding(self, finding: Finding) -> Self {
+        Self { finding: Some(finding), ..self }
     }
 
     /// The same, answering a question.

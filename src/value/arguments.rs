@@ -494,6 +494,8 @@ fn convert<A: Coefficient, B: Coefficient, E>(value: &Value<A>, number: &mut imp
         | Value::Net(_)
         | Value::Piece(_)
         | Value::Pieces(_)
+        | Value::Surd(_)
+        | Value::Surds(_)
         | Value::Polar(_)
         | Value::HomogeneousPolar(_)
         | Value::Homogeneous(_)

@@ -60,6 +60,9 @@ functions! {
     fn fmpz_fdiv_ui(a: *const Fmpz, b: c_ulong) -> c_ulong;
     fn fmpz_lcm(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn fmpz_fmma(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz, c: *const Fmpz, d: *const Fmpz);
+    fn fmpz_fmms(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz, c: *const Fmpz, d: *const Fmpz);
+    fn fmpz_add(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
+    fn fmpz_cmp(a: *const Fmpz, b: *const Fmpz) -> c_int;
     fn fmpz_sub(to: *mut Fmpz, a: *const Fmpz, b: *const Fmpz);
     fn _fmpz_clear_mpz(x: Fmpz);
     fn _fmpz_vec_init(length: c_long) -> *mut Fmpz;

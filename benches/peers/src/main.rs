@@ -1,5 +1,6 @@
 //! casteljau and FLINT's C library side by side in one process: equal answers first, then the time of each.
 
+mod classes;
 mod data;
 mod flint;
 mod memory;
@@ -9,7 +10,7 @@ mod rival;
 use std::env;
 use std::hint::black_box;
 
-use casteljau::{Curve, Interval, Rational, Segment};
+use casteljau::{Curve, Interval, Rational, Segment, classify_array};
 use data::Numbers;
 use flint::{Flint, Fractions};
 use race::{Outcome, race};
@@ -31,6 +32,9 @@ fn main() {
     }
     for degree in [3, 10, 30] {
         split(flint, degree);
+    }
+    for bits in [28, 31] {
+        classes(flint, bits);
     }
     let curve = curve(1000);
     let (peak, held) = memory::of(|| curve.segment(&frame()).unwrap());
@@ -126,6 +130,29 @@ fn split(flint: &'static Flint, degree: usize) {
         },
     ]);
     print_row("split in space", degree, &outcome, None);
+}
+
+/// The classes of a thousand cubics from integers of so many bits and a sign.
+fn classes(flint: &'static Flint, bits: u32) {
+    let mut state = 0x2545_f491_4f6c_dd1du64;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state as i64) >> (63 - bits)
+    };
+    let cubics: Vec<[i64; 8]> = (0..1000).map(|_| std::array::from_fn(|_| next())).collect();
+    let theirs = classes::Polygons::new(flint, &cubics);
+    assert_eq!(classify_array(&cubics), classes::classes(flint, &theirs));
+    let outcome = race([
+        &mut || {
+            black_box(classify_array(black_box(&cubics)));
+        },
+        &mut || {
+            black_box(classes::classes(flint, black_box(&theirs)));
+        },
+    ]);
+    print_row(&format!("1000 classes from {bits}-bit integers"), 3, &outcome, None);
 }
 
 fn curve(degree: usize) -> Curve {

@@ -1,6 +1,7 @@
 //! The table of operations: one row each, in a file for every kind of shape.
 
 mod basis;
+mod cubic;
 mod curve;
 mod parameters;
 mod piece;
@@ -20,10 +21,14 @@ pub enum Kind {
     Curve,
     /// A surface by its equation.
     Surface,
+    /// A surface by its equation, however it is read: its degree may be left out.
+    AnySurface,
     /// The terms of one coordinate of a surface.
     Terms,
     /// Control points: a list for a curve, rows for a patch.
     Points,
+    /// A curve by its equation or by its control points, behind a flag.
+    Shape,
     /// The weights of the control points, arranged like them.
     Weights,
     /// A polynomial that an equation is divided by.
@@ -185,5 +190,7 @@ impl Operation {
 
 /// Every operation, in the order of the help.
 pub fn operations() -> impl Iterator<Item = &'static Operation> {
-    [curve::OPERATIONS, triangle::OPERATIONS, rectangle::OPERATIONS, piece::OPERATIONS, basis::OPERATIONS].into_iter().flatten()
+    [curve::OPERATIONS, triangle::OPERATIONS, rectangle::OPERATIONS, piece::OPERATIONS, basis::OPERATIONS, cubic::OPERATIONS]
+        .into_iter()
+        .flatten()
 }

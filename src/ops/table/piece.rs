@@ -106,6 +106,12 @@ pub(super) const OPERATIONS: &[Operation] = &[
             OVER,
             optional("t", Kind::Place, "at", "also the steps of de Casteljau's algorithm at this parameter"),
             optional("depth", Kind::Count, "depth", "also the control polygons of this many subdivisions"),
+            optional(
+                "features",
+                Kind::Flag,
+                "features",
+                "also the special points of a planar cubic beside these steps; without steps they are always shown",
+            ),
             optional("view", Kind::Numbers, "view", "azimuth and elevation in whole degrees, for a curve in space: 30,25 unless said"),
         ],
         growth: Growth::Linear,
