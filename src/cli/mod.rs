@@ -1,12 +1,15 @@
 //! The command line: an adaptor of the table of operations.
 
 mod arguments;
+mod clash;
 mod command;
 mod diagnostic;
 mod given;
 mod read;
 mod select;
+mod shape;
 mod source;
+mod value;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};

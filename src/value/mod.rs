@@ -2,8 +2,12 @@
 
 mod answer;
 mod arguments;
+mod domain;
 mod finding;
+mod numeric;
+mod shapes;
 
 pub use answer::{Answer, Homogeneous, Layers, Value};
-pub use arguments::{Arguments, Domain};
+pub use arguments::Arguments;
+pub use domain::Domain;
 pub use finding::{CubicFinding, Finding, ImplicitFinding};
