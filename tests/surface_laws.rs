@@ -4,7 +4,7 @@
 //! outside, degrees from 0 on, bidegrees with a zero; the last test counts that
 //! the generators reach them.
 
-#[allow(dead_code)]
+#[allow(dead_code)] // Other tests use the rest of it.
 mod oracle;
 
 use casteljau::{

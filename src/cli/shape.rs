@@ -29,7 +29,7 @@ impl Reader<'_> {
             return Ok(());
         }
         // A constant surface may have been read as a constant curve.
-        if matches!(given, Some(Given::Equation(_))) && is_given(self.matches, "vars") || !matches!(given, Some(Given::Equation(_))) {
+        if is_given(self.matches, "vars") || !matches!(given, Some(Given::Equation(_))) {
             let (one, letters) =
                 if expected == 1 { ("a curve has one parameter", "one letter") } else { ("a surface has two", "two letters") };
             return Err(Problem::plain(format!("{one}: --vars takes {letters} here")));

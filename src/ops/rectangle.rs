@@ -8,7 +8,7 @@ use crate::matrix::bernstein_matrix;
 use crate::piece::Piece;
 use crate::rectangular::{Axis, RectangularPatch};
 use crate::symmetry::Symmetry;
-use crate::value::{Answer, Arguments, Layers, Value};
+use crate::value::{Answer, Arguments, LabelledRow, Layers, Value};
 
 type Outcome<C> = Result<Answer<C>, Error>;
 
@@ -44,7 +44,7 @@ pub(super) fn eval<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 }
 
 /// The rows of a net with labels.
-fn labelled<C: Coefficient>(net: &RectangularPatch<C>, label: impl Fn(usize, usize) -> String) -> Vec<Vec<(String, Vec<C>)>> {
+fn labelled<C: Coefficient>(net: &RectangularPatch<C>, label: impl Fn(usize, usize) -> String) -> Vec<LabelledRow<C>> {
     let row = |(i, row): (usize, Vec<&[C]>)| row.into_iter().enumerate().map(|(j, point)| (label(i, j), point.to_vec())).collect();
     net.rows().map(Iterator::collect).enumerate().map(row).collect()
 }

@@ -11,7 +11,7 @@ use crate::kernel::coefficient::Coefficient;
 use crate::piece::Piece;
 use crate::reading::{PolarTerm, Reading};
 use crate::surface::Surface;
-use crate::value::{Answer, Layers, Value};
+use crate::value::{Answer, LabelledRow, Layers, Value};
 
 /// The answer as the `output` of a `batch` answer.
 ///
@@ -90,8 +90,8 @@ fn surface<C: Coefficient>(surface: &Surface<C>) -> Json {
 }
 
 fn layers<C: Coefficient>(layers: &Layers<C>) -> Json {
-    let row = |row: &Vec<(String, Vec<C>)>| row.iter().map(|(_, coordinates)| point(coordinates)).collect::<Json>();
-    let layer = |layer: &Vec<Vec<(String, Vec<C>)>>| match layer.as_slice() {
+    let row = |row: &LabelledRow<C>| row.iter().map(|(_, coordinates)| point(coordinates)).collect::<Json>();
+    let layer = |layer: &Vec<LabelledRow<C>>| match layer.as_slice() {
         [only] if !layers.in_rows => row(only),
         rows => rows.iter().map(row).collect(),
     };

@@ -3,7 +3,7 @@
 use super::formula::Notation;
 use crate::affine::Frame;
 use crate::kernel::coefficient::Coefficient;
-use crate::value::{Answer, Value};
+use crate::value::{Answer, LabelledRow, Value};
 
 /// The answer as one expression: the only part, or the list of the parts.
 ///
@@ -62,8 +62,8 @@ fn expression<C: Coefficient>(value: &Value<C>, notation: &Notation) -> String {
             format!("MeshRegion[{}, Triangle[{}]]", list(&vertices), list(&triangles))
         }
         Value::Layers(layers) => {
-            let row = |row: &Vec<(String, Vec<C>)>| points(&mut row.iter().map(|entry| entry.1.as_slice()));
-            let layer = |layer: &Vec<Vec<(String, Vec<C>)>>| list(&layer.iter().map(row).collect::<Vec<_>>());
+            let row = |row: &LabelledRow<C>| points(&mut row.iter().map(|entry| entry.1.as_slice()));
+            let layer = |layer: &Vec<LabelledRow<C>>| list(&layer.iter().map(row).collect::<Vec<_>>());
             list(&layers.layers.iter().map(layer).collect::<Vec<_>>())
         }
         Value::Curve(curve) => list(&(0..curve.dimension()).map(|index| notation.coordinate(curve, index)).collect::<Vec<_>>()),

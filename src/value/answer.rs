@@ -95,13 +95,16 @@ pub struct Homogeneous<C = Rational> {
     pub terms: Vec<(Vec<usize>, C)>,
 }
 
+/// Points with their polar labels.
+pub type LabelledRow<C = Rational> = Vec<(String, Vec<C>)>;
+
 /// Points with their polar labels, row by row in each of several layers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layers<C = Rational> {
     /// What a layer is called: "step", "layer".
     pub name: &'static str,
     /// The layers.
-    pub layers: Vec<Vec<Vec<(String, Vec<C>)>>>,
+    pub layers: Vec<Vec<LabelledRow<C>>>,
     /// Whether the rows are part of the data, or each layer is one list.
     pub in_rows: bool,
 }

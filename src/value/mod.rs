@@ -7,7 +7,7 @@ mod finding;
 mod numeric;
 mod shapes;
 
-pub use answer::{Answer, Homogeneous, Layers, Value};
+pub use answer::{Answer, Homogeneous, LabelledRow, Layers, Value};
 pub use arguments::Arguments;
 pub use domain::Domain;
 pub use finding::{CubicFinding, Finding, ImplicitFinding};
