@@ -412,6 +412,24 @@ proptest! {
         prop_assert_eq!(projected(&rational.value(&u, &v).expect("numbers")), expected);
     }
 
+    /// Weights that are products of weights of the vertices only move the
+    /// parameter: CS348a, lecture 12, section 4, whose formula for S holds for
+    /// these weights and no others.
+    #[test]
+    fn product_weights_move_the_parameter(patch in triangular_patch(3), at in place(), seed in [1i64..5, 1i64..5, 1i64..5]) {
+        let vertices = seed.map(Rational::from);
+        let weights: Vec<Rational> = TriangularPatch::<Rational>::indices(patch.degree()).iter()
+            .map(|index| index.iter().zip(&vertices).map(|(&times, w)| w.pow(times as u32)).product()).collect();
+        let lifted = homogeneous_points(&lists(patch.points()), &weights).expect("a weight each");
+        let rational = TriangularPatch::from_points(lifted, patch.frame().clone()).expect("a patch");
+        let barycentric = patch.frame().barycentric(&at).expect("numbers");
+        let parts: Vec<Rational> = barycentric.iter().zip(&vertices).map(|(part, w)| part * w).collect();
+        let sum: Rational = parts.iter().sum();
+        prop_assume!(sum != Rational::from(0));
+        let moved = patch.frame().at(&[&parts[0] / &sum, &parts[1] / &sum, &parts[2] / &sum]);
+        prop_assert_eq!(projected(&rational.value(&at).expect("numbers")), Some(patch.value(&moved).expect("numbers")));
+    }
+
     #[test]
     fn meshes_are_points_of_the_patch(patch in triangular_patch(3), rectangle in rectangular_patch(2), depth in 0usize..3) {
         let steps = 1i64 << depth;

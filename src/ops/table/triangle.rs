@@ -87,11 +87,11 @@ pub(super) const OPERATIONS: &[Operation] = &[
     },
     Operation {
         name: "triangle.index",
-        verb: "",
+        verb: "index",
         domains: TRIANGLES,
         selected_by: &[],
         doc: "The order of the points of a triangular net",
-        example: "",
+        example: "casteljau index --degree 2",
         parameters: &[required("degree", Kind::Count, "degree", "the degree")],
         growth: Growth::Basis,
         run: Run::Numeric(triangle::index),

@@ -11,6 +11,7 @@ use crate::draw::obj;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::reading::Reading;
+use crate::scheme::polar_label;
 use crate::syntax::printer;
 use crate::value::{Answer, Arguments, Value};
 use crate::weights::projected;
@@ -145,6 +146,16 @@ impl<C: Coefficient> Page<'_, C> {
                 let get =
                     |name: &str| fields.iter().find(|(key, _)| *key == name).map_or_else(String::new, |(_, value)| self.inline(value));
                 self.lines.push(format!("largest at {}, where it is {}", get("t"), get("value")));
+            }
+            Value::List(values) if name == "order" => {
+                for value in values {
+                    if let Value::Counts(index) = value
+                        && let [i, j, k] = index.as_slice()
+                    {
+                        let label = polar_label(&[("r", *i), ("s", *j), ("t", *k)]);
+                        self.lines.push(format!("b{} = {label}", index.iter().map(usize::to_string).collect::<Vec<_>>().join(",")));
+                    }
+                }
             }
             Value::List(values) => {
                 for value in values {
