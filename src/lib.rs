@@ -56,6 +56,7 @@ mod bilinear;
 mod blossom;
 #[cfg(feature = "cli")]
 pub mod cli;
+mod continuity;
 mod control;
 mod cubic;
 mod curve;
@@ -63,6 +64,7 @@ pub mod draw;
 mod error;
 mod exact;
 mod flatness;
+mod geometric;
 mod hull;
 mod implicit;
 mod kernel;
@@ -93,6 +95,10 @@ pub use algebraic::{AlgebraicNumber, IsolatedRoot};
 pub use bernstein::Bernstein;
 pub use bilinear::{CommonSteps, TwoSteps};
 pub use blossom::{PolarDefect, PolarForm, check_polar_form, sigma};
+pub use continuity::{
+    Continuity, RationalContinuity, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
+    continuity_of_surfaces,
+};
 pub use cubic::{
     Branch, Breakpoint, ClassChange, Cubic, CubicClass, Direction, Distance, Equivalence, Family, Feature, Graph, Image, Intention,
     Invariants, MedianLine, NormalForm, Portion, PortionShape, Replacement, Rotated, SemiNormalForm, Special, SpecialPoint, Straight,
@@ -102,6 +108,7 @@ pub use curve::Curve;
 pub use error::Error;
 pub use exact::{MAX_DIGITS, ParseNumberError, Rational, Surd};
 pub use flatness::Flattening;
+pub use geometric::{GeometricJoin, TangentPlaneJoin, geometric_join, tangent_plane_join};
 pub use hull::{ConvexHull, bounding_box};
 pub use implicit::{ConicType, ImplicitCurve, Parameters};
 pub use kernel::coefficient::Coefficient;

@@ -31,6 +31,8 @@ const LAYERS: &[&[&str]] = &[
         "mesh",
         "matrix",
         "roots",
+        "continuity",
+        "geometric",
         "algebraic",
     ],
     &["cubic", "implicit", "quadric"],

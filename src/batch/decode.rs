@@ -7,9 +7,13 @@ use crate::curve::Curve;
 use crate::exact::Rational;
 use crate::model::{Fault, Fields, count, depth, excerpt, frame, list, number, numbers, place, plain, points, rows, weights};
 use crate::ops::{Kind, Operation, Weighting};
+use crate::piece::Piece;
 use crate::reading::Reading;
+use crate::rectangular::RectangularPatch;
+use crate::segment::Segment;
 use crate::surface::{Surface, Term};
 use crate::syntax::{self, SyntaxError};
+use crate::triangular::TriangularPatch;
 use crate::value::{Arguments, Domain, Value};
 
 /// The arguments of an operation from its `input` object.
@@ -109,6 +113,8 @@ fn value(kind: Kind, domain: Domain, raw: &RawValue, name: &str) -> Result<Value
         Kind::Place => Value::Numbers(place(raw)?),
         Kind::Numbers | Kind::Arguments => Value::Numbers(numbers(raw, name)?),
         Kind::Point => Value::Point(numbers(raw, name)?),
+        Kind::Piece => Value::Piece(piece(raw, name)?),
+        Kind::Edge => Value::Points(points(raw)?),
         Kind::Count => Value::Count(count(raw, name)?),
         Kind::Counts => Value::Counts(counts(raw, name)?),
         Kind::HomogeneousArguments | Kind::FirstArguments(Weighting::Homogeneous) | Kind::SecondArguments(Weighting::Homogeneous) => {
@@ -133,6 +139,32 @@ fn word(raw: &RawValue, name: &str, words: &'static [&'static str]) -> Result<&'
         .copied()
         .find(|word| *word == found)
         .ok_or_else(|| Fault::new("wrong-shape", format!("`{name}` is one of {}, found {}", words.join(", "), excerpt(&found))))
+}
+
+/// `{"frame", "points"}` or `{"frame", "homogeneous_points"}`, for triangles with their degree.
+fn piece(raw: &RawValue, name: &str) -> Result<Piece, Fault> {
+    let fields = Fields::of(raw, name)?;
+    fields.only(&["frame", "points", "homogeneous_points", "degree"], name)?;
+    let control = match (fields.get("points"), fields.get("homogeneous_points")) {
+        (Some(raw), None) | (None, Some(raw)) => raw,
+        (None, None) => return Err(Fault::new("missing-field", format!("{name} needs `points` or `homogeneous_points`"))),
+        _ => return Err(Fault::new("unknown-field", "`points` and `homogeneous_points` exclude each other")),
+    };
+    let piece = match frame(fields.require("frame", name)?)? {
+        Frame::Interval(frame) => Piece::Curve(Segment::from_points(points(control)?, frame)?),
+        Frame::Triangle(frame) => Piece::Triangle(TriangularPatch::from_rows(rows(control)?, frame)?),
+        Frame::Rectangle(frame) => Piece::Rectangle(RectangularPatch::from_rows(rows(control)?, frame)?),
+    };
+    if let (Piece::Triangle(patch), Some(raw)) = (&piece, fields.get("degree")) {
+        let degree = count(raw, "the degree")?;
+        if degree != patch.degree() {
+            return Err(Fault::new(
+                "wrong-count",
+                format!("degree {degree} needs {} rows of points, found {}", degree + 1, patch.degree() + 1),
+            ));
+        }
+    }
+    Ok(piece)
 }
 
 /// Small whole numbers; one alone need not be a list.

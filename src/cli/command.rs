@@ -156,7 +156,15 @@ fn flag(parameter: &'static Parameter) -> Arg {
         Kind::Plane => "EQUATION",
         Kind::Point => "POINT",
         Kind::Shape => "OTHER",
-        Kind::Curve | Kind::Surface | Kind::AnySurface | Kind::Terms | Kind::Points | Kind::Weights | Kind::Numbers => "VALUE",
+        Kind::Piece
+        | Kind::Edge
+        | Kind::Curve
+        | Kind::Surface
+        | Kind::AnySurface
+        | Kind::Terms
+        | Kind::Points
+        | Kind::Weights
+        | Kind::Numbers => "VALUE",
     };
     argument.value_name(name)
 }

@@ -76,7 +76,9 @@ impl Reader<'_> {
                     Variables::Surface(..) => return Err(Problem::plain(format!("{name} takes a curve; this was read as a surface"))),
                 },
             },
-            Kind::Flag | Kind::Curve | Kind::Surface | Kind::AnySurface | Kind::Terms | Kind::Weights => Value::Nothing,
+            Kind::Flag | Kind::Piece | Kind::Edge | Kind::Curve | Kind::Surface | Kind::AnySurface | Kind::Terms | Kind::Weights => {
+                Value::Nothing
+            }
         })
     }
 

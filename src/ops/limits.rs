@@ -7,6 +7,7 @@ use num_bigint::BigInt;
 use super::table::{Growth, Operation};
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
+use crate::piece::Piece;
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::limits::MAX_DEGREE;
 use crate::value::{Arguments, Domain, Value};
@@ -112,6 +113,16 @@ impl Size {
                     let dimension = rows.first().and_then(|row| row.first()).map_or(0, Vec::len);
                     size.points = size.points.max(rows.iter().map(Vec::len).sum());
                     size.data(degree, dimension, &mut rows.iter().flatten().flatten());
+                }
+                (_, Value::Piece(piece)) => {
+                    let degree = match piece {
+                        Piece::Curve(segment) => segment.degree(),
+                        Piece::Triangle(patch) => patch.degree(),
+                        Piece::Rectangle(patch) => patch.degree().0 + patch.degree().1,
+                    };
+                    size.points += piece.points().len();
+                    size.data(degree, piece.dimension(), &mut piece.coordinates().iter());
+                    piece.frame().numbers().into_iter().for_each(|number| size.parameter(number, degree));
                 }
                 (_, Value::Points(points)) => {
                     size.data(points.len().saturating_sub(1), points.first().map_or(0, Vec::len), &mut points.iter().flatten());

@@ -8,6 +8,7 @@ mod cubic;
 mod curve;
 mod geometry;
 mod implicit;
+mod join;
 pub(crate) mod limits;
 mod numbers;
 mod picture;

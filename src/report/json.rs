@@ -102,6 +102,7 @@ pub(super) fn encode<C: Coefficient>(value: &Value<C>, weighted: bool) -> Result
     Ok(match value {
         Value::Truth(truth) => Json::Bool(*truth),
         Value::Count(count) => json!(count),
+        Value::Integer(number) => json!(number),
         Value::Counts(counts) => json!(counts),
         Value::Word(word) => json!(word),
         Value::Document(text) => json!(text),

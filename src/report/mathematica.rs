@@ -37,6 +37,7 @@ fn expression<C: Coefficient>(value: &Value<C>, notation: &Notation) -> String {
     match value {
         Value::Truth(truth) => if *truth { "True" } else { "False" }.to_owned(),
         Value::Count(count) => count.to_string(),
+        Value::Integer(number) => number.to_string(),
         Value::Number(number) => notation.number(number),
         Value::Numbers(numbers) => point(numbers, notation),
         Value::Surd(surd) => notation.surd(surd),

@@ -20,7 +20,9 @@ pub enum Value<C = Rational> {
     Truth(bool),
     /// A small whole number: a degree, a depth, a count.
     Count(usize),
-    /// Several of these: a bidegree, the index of a control point.
+    /// A whole number that may be negative.
+    Integer(i64),
+    /// Several counts: a bidegree, the index of a control point.
     Counts(Vec<usize>),
     /// A number, or a polynomial in symbolic parameters.
     Number(C),

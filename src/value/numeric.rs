@@ -29,6 +29,7 @@ fn convert<A: Coefficient, B: Coefficient, E>(value: &Value<A>, number: &mut imp
     Ok(match value {
         Value::Truth(truth) => Value::Truth(*truth),
         Value::Count(count) => Value::Count(*count),
+        Value::Integer(number) => Value::Integer(*number),
         Value::Counts(counts) => Value::Counts(counts.clone()),
         Value::Word(word) => Value::Word(word),
         Value::Variables(symbols) => Value::Variables(symbols.clone()),

@@ -3,6 +3,7 @@
 mod basis;
 mod cubic;
 mod curve;
+mod join;
 mod parameters;
 mod piece;
 mod rectangle;
@@ -69,6 +70,10 @@ pub enum Kind {
     Map,
     /// The line, plane or hyperplane where an affine function is zero, as a map to the line.
     Plane,
+    /// A piece: its frame and its control points, weights last if they are homogeneous.
+    Piece,
+    /// Two points of the parameter plane.
+    Edge,
     /// One of these words.
     Word(&'static [&'static str]),
     /// Yes or no.
@@ -190,7 +195,15 @@ impl Operation {
 
 /// Every operation, in the order of the help.
 pub fn operations() -> impl Iterator<Item = &'static Operation> {
-    [curve::OPERATIONS, triangle::OPERATIONS, rectangle::OPERATIONS, piece::OPERATIONS, basis::OPERATIONS, cubic::OPERATIONS]
-        .into_iter()
-        .flatten()
+    [
+        curve::OPERATIONS,
+        triangle::OPERATIONS,
+        rectangle::OPERATIONS,
+        piece::OPERATIONS,
+        join::OPERATIONS,
+        basis::OPERATIONS,
+        cubic::OPERATIONS,
+    ]
+    .into_iter()
+    .flatten()
 }

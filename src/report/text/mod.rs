@@ -50,6 +50,7 @@ impl<C: Coefficient> Page<'_, C> {
         match value {
             Value::Truth(truth) => self.truth(name, &title, *truth),
             Value::Count(count) => self.lines.push(format!("{title}: {count}")),
+            Value::Integer(number) => self.lines.push(format!("{title}: {number}")),
             Value::Counts(counts) => self.lines.push(format!("{title}: ({})", join(counts))),
             // The place says more than whether it is inside.
             Value::Word("vertex") if name == "place" => self.lines.push("on a vertex".to_owned()),
