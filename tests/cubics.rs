@@ -283,9 +283,9 @@ proptest! {
         prop_assert_eq!(normal.form, class);
         let standard = class.standard_cubic().expect("not straight").rational_point(&r);
         let point = cubic.point(&normal.t0.plus(&normal.scale.times_rational(&r)).expect("one field"));
-        for index in 0..2 {
+        for (index, coordinate) in point.iter().enumerate() {
             let [a, b] = [0, 1].map(|k| normal.matrix[index][k].times_rational(&standard[k]));
-            prop_assert_eq!(Some(point[index].clone()), a.plus(&b).and_then(|sum| sum.plus(&normal.shift[index])));
+            prop_assert_eq!(Some(coordinate.clone()), a.plus(&b).and_then(|sum| sum.plus(&normal.shift[index])));
         }
         // The rational form, and its inversion.
         let form = cubic.semi_normal_form().expect("not straight");

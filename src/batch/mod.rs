@@ -3,6 +3,8 @@
 mod decode;
 
 use std::io::{self, BufRead, BufReader, Read, Write};
+use std::num::NonZero;
+use std::thread;
 
 use serde_json::value::RawValue;
 
@@ -22,9 +24,15 @@ pub const MAX_LINE: usize = 16 << 20;
 /// # Errors
 /// Those of reading and writing.
 pub fn run(input: impl Read, mut output: impl Write) -> io::Result<()> {
-    let mut input = BufReader::with_capacity(1 << 16, input);
+    let mut input = BufReader::with_capacity(1 << 17, input);
+    let workers = thread::available_parallelism().map_or(1, NonZero::get);
     let mut line = Vec::new();
     loop {
+        let waiting = complete_lines(input.buffer());
+        if workers > 1 && waiting >= MANY {
+            answer_together(&input.buffer()[..waiting], workers, MOST_HELD, &mut output)?;
+            input.consume(waiting);
+        }
         if !input.buffer().contains(&b'\n') {
             output.flush()?;
         }
@@ -41,6 +49,62 @@ pub fn run(input: impl Read, mut output: impl Write) -> io::Result<()> {
             answer(&line, &mut output)?;
         }
     }
+}
+
+/// How many bytes of lines have to be waiting for it to be worth to share them among threads.
+const MANY: usize = 1 << 13;
+
+/// The bytes of answers that a thread keeps until it is its turn to write, but for the last answer.
+const MOST_HELD: usize = 1 << 22;
+
+/// The length of all complete lines at the beginning of what has been read.
+fn complete_lines(buffer: &[u8]) -> usize {
+    buffer.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1)
+}
+
+/// Answers lines that have all been read already, at the same time but in their order.
+fn answer_together(lines: &[u8], workers: usize, most_held: usize, output: &mut impl Write) -> io::Result<()> {
+    let mut parts = Vec::with_capacity(workers);
+    let mut rest = lines;
+    for part in (1..=workers).rev() {
+        // About the same number of bytes for everybody, up to the end of a line.
+        let share = rest.len() / part;
+        let end = rest[share..].iter().position(|&byte| byte == b'\n').map_or(rest.len(), |end| share + end + 1);
+        let (own, others) = rest.split_at(if part == 1 { rest.len() } else { end });
+        parts.push(own);
+        rest = others;
+    }
+    thread::scope(|scope| {
+        let (first, others) = parts.split_first().map_or((&[][..], &[][..]), |(first, others)| (*first, others));
+        let others: Vec<_> = others.iter().map(|&part| scope.spawn(move || answered(part, most_held))).collect();
+        finish(answered(first, most_held), output)?;
+        for other in others {
+            finish(other.join().map_err(|_| io::Error::other("a request could not be answered"))?, output)?;
+        }
+        Ok(())
+    })
+}
+
+/// The answers to lines, up to where they take too much memory, and the lines that are left.
+fn answered(mut lines: &[u8], most_held: usize) -> (Vec<u8>, &[u8]) {
+    let mut answers = Vec::new();
+    while !lines.is_empty() && answers.len() < most_held {
+        let end = lines.iter().position(|&byte| byte == b'\n').map_or(lines.len(), |end| end + 1);
+        let (line, rest) = lines.split_at(end);
+        lines = rest;
+        if !line.trim_ascii().is_empty() {
+            // Writing to memory does not fail.
+            let _ = answer(line, &mut answers);
+        }
+    }
+    (answers, lines)
+}
+
+/// Writes answers, and those to the lines that are left one by one.
+fn finish((answers, rest): (Vec<u8>, &[u8]), output: &mut impl Write) -> io::Result<()> {
+    output.write_all(&answers)?;
+    let lines = rest.split(|&byte| byte == b'\n').filter(|line| !line.trim_ascii().is_empty());
+    lines.into_iter().try_for_each(|line| answer(line, output))
 }
 
 fn skip_line(input: &mut impl BufRead) -> io::Result<()> {
@@ -99,5 +163,48 @@ fn write_answer(output: &mut impl Write, id: Option<&RawValue>, op: Option<&RawV
     match result {
         Ok(found) => writeln!(output, ",\"op\":{},\"output\":{found}}}", op.map_or("null", RawValue::get)),
         Err(fault) => writeln!(output, ",\"error\":{}}}", serde_json::json!({"code": fault.code, "message": fault.message})),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fmt::Write as _;
+
+    /// Requests good and bad, blank lines among them, of many lengths.
+    fn requests(count: usize) -> String {
+        let mut text = String::new();
+        for id in 0..count {
+            let request = match id % 5 {
+                0 => format!("{{\"id\": {id}, \"op\": \"sigma\", \"input\": {{\"values\": [{}]}}}}", vec!["1"; id % 40].join(",")),
+                1 => format!("{{\"id\": {id}, \"op\": \"nonsense\", \"input\": {{}}}}"),
+                2 => String::new(),
+                3 => "not JSON".to_owned(),
+                _ => format!("{{\"id\": {id}, \"op\": \"cubic.class\", \"input\": {{\"points\": [[0,0],[1,{id}],[0,1],[1,0]]}}}}"),
+            };
+            writeln!(text, "{request}").expect("a string");
+        }
+        text
+    }
+
+    #[test]
+    fn answers_of_several_threads_are_in_order() {
+        let text = requests(1000);
+        let mut alone = Vec::new();
+        for line in text.lines().filter(|line| !line.is_empty()) {
+            answer(line.as_bytes(), &mut alone).expect("writing memory");
+        }
+        for (workers, most_held) in [(1, MOST_HELD), (2, MOST_HELD), (5, MOST_HELD), (3, 1000), (2, 0)] {
+            let mut together = Vec::new();
+            answer_together(text.as_bytes(), workers, most_held, &mut together).expect("writing memory");
+            assert!(together == alone, "{workers} workers");
+        }
+        let mut streamed = Vec::new();
+        run(text.as_bytes(), &mut streamed).expect("reading and writing memory");
+        assert!(streamed == alone);
+        // Without a line end behind the last request.
+        let mut streamed = Vec::new();
+        run(text.trim_end().as_bytes(), &mut streamed).expect("reading and writing memory");
+        assert!(streamed == alone);
     }
 }
