@@ -81,6 +81,7 @@ pub mod report;
 mod roots;
 mod scheme;
 mod segment;
+mod spline;
 mod surface;
 mod symbolic;
 mod symmetry;
@@ -121,6 +122,7 @@ pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, 
 pub use roots::{RealRoots, Root, RootPlace};
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
+pub use spline::{KnotJoin, Spline};
 pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};
 pub use symmetry::Symmetry;

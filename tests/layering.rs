@@ -33,6 +33,7 @@ const LAYERS: &[&[&str]] = &[
         "roots",
         "continuity",
         "geometric",
+        "spline",
         "algebraic",
     ],
     &["cubic", "implicit", "quadric"],

@@ -1,4 +1,4 @@
-//! Operations on joins.
+//! Operations on joins, and on the splines that consist of joined pieces.
 
 use crate::continuity::{
     Continuity, RationalContinuity, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::exact::Rational;
 use crate::geometric::{geometric_join, tangent_plane_join};
 use crate::piece::{Equation, Piece};
+use crate::spline::Spline;
 use crate::surface::Surface;
 use crate::value::{Answer, Arguments, Value};
 
@@ -118,4 +119,30 @@ pub(super) fn geometric_triangles(arguments: &Arguments) -> Result<Answer, Error
         ("opposite_sides", test(join.opposite_sides)),
         ("g1", Value::Truth(join.is_g1())),
     ]))
+}
+
+pub(super) fn spline(arguments: &Arguments) -> Result<Answer, Error> {
+    let Some(Value::Points(points)) = arguments.get("points") else {
+        return Err(Error::WrongShape("`points` is missing".into()));
+    };
+    let spline = Spline::new(*arguments.count("degree")?, arguments.numbers("knots")?.clone(), points.clone())?;
+    let mut pieces = Vec::new();
+    for segment in spline.pieces()? {
+        let interval = Value::Frame(segment.frame().clone().into());
+        pieces.push(Value::Record(vec![("interval", interval), ("curve", Value::Curve(segment.curve()?))]));
+    }
+    let joins =
+        spline.joins()?.into_iter().map(|join| Value::Record(vec![("knot", Value::Number(join.knot)), ("max_k", order(join.order))]));
+    let mut fields = vec![("pieces", Value::List(pieces)), ("joins", Value::List(joins.collect()))];
+    if let Ok(knot) = arguments.number("insert") {
+        let inserted = spline.insert(knot)?;
+        fields.push((
+            "inserted",
+            Value::Record(vec![
+                ("knots", Value::Numbers(inserted.knots().to_vec())),
+                ("points", Value::Points(inserted.points().to_vec())),
+            ]),
+        ));
+    }
+    Ok(Answer::new(fields))
 }

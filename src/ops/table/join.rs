@@ -1,6 +1,6 @@
-//! Operations on joins, for `batch`.
+//! Operations on joins and splines.
 
-use super::parameters::required;
+use super::parameters::{optional, required};
 use super::{Growth, Kind, Operation, Parameter, Run};
 use crate::ops::join;
 use crate::value::Domain;
@@ -20,6 +20,22 @@ const fn row(name: &'static str, domains: &'static [Domain], doc: &'static str, 
 }
 
 pub(super) const OPERATIONS: &[Operation] = &[
+    Operation {
+        name: "bspline.pieces",
+        verb: "spline",
+        domains: CURVES,
+        selected_by: &[],
+        doc: "The Bézier pieces of a B-spline, and the order of continuity at each knot",
+        example: "casteljau spline '(0,0) (1,2) (3,2) (4,0)' --degree 2 --knots '0 0 0 1 2 2 2' --insert 1/2",
+        parameters: &[
+            required("points", Kind::Points, "", "the de Boor points"),
+            required("knots", Kind::Numbers, "knots", "the knots, degree + 1 more than points"),
+            required("degree", Kind::Count, "degree", "the degree"),
+            optional("insert", Kind::Number, "insert", "also the points with this knot inserted"),
+        ],
+        growth: Growth::Scheme,
+        run: Run::Numeric(join::spline),
+    },
     row("join.curve", CURVES, "The order of continuity of two curves at a parameter", &[A, B, AT], Run::Numeric(join::curves)),
     row("join.triangle", TRIANGLES, "The order of continuity of two triangles across an edge", &[A, B, EDGE], Run::Numeric(join::surfaces)),
     row(

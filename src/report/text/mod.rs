@@ -143,6 +143,12 @@ impl<C: Coefficient> Page<'_, C> {
                 self.lines.push(format!("{title}: none, the rectangle has no width"));
             }
             Value::Nothing if name == "point" => self.lines.push("the point is at infinity: its weight is 0".to_owned()),
+            Value::Record(fields) if name == "inserted" => {
+                self.lines.push("with the knot inserted:".to_owned());
+                for (name, value) in fields {
+                    self.field(name, value, true)?;
+                }
+            }
             Value::Record(fields) if name == "largest" => {
                 let get =
                     |name: &str| fields.iter().find(|(key, _)| *key == name).map_or_else(String::new, |(_, value)| self.inline(value));
@@ -227,7 +233,9 @@ impl<C: Coefficient> Page<'_, C> {
     }
 
     fn numbers(&mut self, name: &str, title: &str, numbers: &[C]) {
-        if name == "barycentric" {
+        if name == "knots" {
+            self.lines.push(format!("knots: {}", numbers.iter().map(|knot| self.notation.number(knot)).collect::<Vec<_>>().join(" ")));
+        } else if name == "barycentric" {
             let list: Vec<String> = numbers.iter().map(|number| self.notation.number(number)).collect();
             self.lines.push(format!("(λ, μ, ν) = ({}){}", list.join(", "), self.approximately(numbers)));
         } else if name == "values" {

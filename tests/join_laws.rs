@@ -1,0 +1,172 @@
+//! Orders of continuity by construction: maps that differ by a known power of
+//! the joint, curves in changed parameters, splines with known knots.
+
+use casteljau::{
+    Continuity, Curve, Rational, Reading, Spline, Surface, Term, Triangle, continuity_of_curves, continuity_of_rational_curves,
+    continuity_of_rational_surfaces, continuity_of_surfaces, geometric_join, tangent_plane_join,
+};
+use proptest::prelude::*;
+
+fn small() -> impl Strategy<Value = Rational> {
+    (-6i64..7, 1i64..5).prop_map(|(n, d)| Rational::new(n, d))
+}
+
+fn nonzero() -> impl Strategy<Value = Rational> {
+    small().prop_filter("not zero", |x| *x != Rational::from(0))
+}
+
+fn curve(dimension: usize, degree: usize) -> impl Strategy<Value = Curve> {
+    prop::collection::vec(prop::collection::vec(small(), degree + 1), dimension).prop_filter_map("a curve", |lists| Curve::new(lists).ok())
+}
+
+/// The product of two polynomials, by their coefficients in ascending powers.
+fn times(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    let mut product = vec![Rational::from(0); a.len() + b.len() - 1];
+    for (i, x) in a.iter().enumerate() {
+        for (j, y) in b.iter().enumerate() {
+            product[i + j] += x * y;
+        }
+    }
+    product
+}
+
+fn power(base: &[Rational], exponent: usize) -> Vec<Rational> {
+    (0..exponent).fold(vec![Rational::from(1)], |product, _| times(&product, base))
+}
+
+fn sum(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    let zero = Rational::from(0);
+    (0..a.len().max(b.len())).map(|k| a.get(k).unwrap_or(&zero) + b.get(k).unwrap_or(&zero)).collect()
+}
+
+fn coordinates(curve: &Curve) -> Vec<Vec<Rational>> {
+    (0..curve.dimension()).map(|index| curve.coordinate(index).cloned().collect()).collect()
+}
+
+/// A polynomial after another one is put in for its variable.
+fn composed(outer: &[Rational], inner: &[Rational]) -> Vec<Rational> {
+    outer.iter().rev().fold(vec![Rational::from(0)], |value, c| sum(&times(&value, inner), std::slice::from_ref(c)))
+}
+
+/// `(α u + β v + γ)^exponent` as terms.
+fn linear_power([a, b, c]: &[Rational; 3], exponent: usize) -> Vec<Term> {
+    let mut terms: Vec<Term> = vec![(0, 0, Rational::from(1))];
+    for _ in 0..exponent {
+        terms = terms.iter().flat_map(|(h, k, x)| [(h + 1, *k, x * a), (*h, k + 1, x * b), (*h, *k, x * c)]).collect();
+    }
+    terms
+}
+
+fn expected(order: usize) -> Continuity {
+    if order == 0 { Continuity::Broken } else { Continuity::C(order - 1) }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+
+    #[test]
+    fn curves_that_differ_by_a_power_of_the_joint((a, factor) in (curve(2, 3), nonzero()), at in small(), order in 0usize..5) {
+        let difference = times(&power(&[-at.clone(), Rational::from(1)], order), &[factor]);
+        let mut lists = coordinates(&a);
+        lists[1] = sum(&lists[1], &difference);
+        let b = Curve::new(lists).expect("a curve");
+        prop_assert_eq!(continuity_of_curves(&a, &b, &at).expect("one dimension"), expected(order));
+        prop_assert_eq!(continuity_of_curves(&a, &a.clone().with_degree(6).expect("higher"), &at).expect("one dimension"), Continuity::Same);
+    }
+
+    #[test]
+    fn surfaces_that_differ_by_a_power_of_the_joint(terms in prop::collection::vec((0usize..3, 0usize..3, small()), 0..6), from in [small(), small()], to in [small(), small()], factor in nonzero(), order in 0usize..4) {
+        prop_assume!(from != to);
+        let joint = [from.clone(), to.clone()];
+        // The linear form that vanishes on the joint.
+        let (a, b) = (&to[1] - &from[1], &from[0] - &to[0]);
+        let c = -(&a * &from[0] + &b * &from[1]);
+        let mut changed = terms.clone();
+        changed.extend(linear_power(&[a, b, c], order).into_iter().map(|(h, k, x)| (h, k, x * &factor)));
+        let (first, second) = (Surface::tensor(vec![terms.clone()]).expect("a surface"), Surface::total(vec![changed]).expect("a surface"));
+        prop_assert_eq!(continuity_of_surfaces(&first, &second, &joint).expect("one dimension"), expected(order));
+        let raised = first.read_as(Reading::Total(6)).expect("higher");
+        prop_assert_eq!(continuity_of_surfaces(&first, &raised, &joint).expect("one dimension"), Continuity::Same);
+    }
+
+    /// A common factor of all homogeneous coordinates is not seen in Cartesian ones.
+    #[test]
+    fn rational_joins_do_not_see_common_factors(a in curve(3, 2), at in small(), scale in nonzero(), slope in nonzero(), order in 0usize..3) {
+        prop_assume!(a.value(&at)[2] != Rational::from(0));
+        // scale + slope (t - at)^{order+1}: continuous up to `order` after scaling, everywhere the same in the plane.
+        let factor = sum(&times(&power(&[-at.clone(), Rational::from(1)], order + 1), &[slope]), std::slice::from_ref(&scale));
+        let b = Curve::new(coordinates(&a).iter().map(|list| times(list, &factor)).collect()).expect("a curve");
+        let join = continuity_of_rational_curves(&a, &b, &at).expect("no weight is zero");
+        prop_assert_eq!(join.cartesian, Continuity::Same);
+        prop_assert_eq!(join.scale * &scale, Rational::from(1));
+        prop_assert_eq!(join.scaled, Continuity::C(order));
+        prop_assert_eq!(join.homogeneous, if scale == Rational::from(1) { Continuity::C(order) } else { Continuity::Broken });
+    }
+
+    #[test]
+    fn rational_surfaces_of_one_weight_join_like_polynomial_ones(terms in prop::collection::vec((0usize..3, 0usize..3, small()), 1..6), weight in nonzero(), order in 0usize..3) {
+        let joint = [[Rational::from(0), Rational::from(0)], [Rational::from(0), Rational::from(1)]];
+        let mut changed = terms.clone();
+        changed.push((order, 0, Rational::from(1)));
+        let constant = vec![(0, 0, weight.clone())];
+        let scaled = |terms: &[Term]| terms.iter().map(|(h, k, c)| (*h, *k, c * &weight)).collect::<Vec<_>>();
+        let a = Surface::total(vec![terms.clone(), vec![(0, 0, Rational::from(1))]]).expect("a surface");
+        let b = Surface::total(vec![scaled(&changed), constant]).expect("a surface");
+        prop_assert_eq!(continuity_of_rational_surfaces(&a, &b, &joint).expect("no weight is zero").cartesian, expected(order));
+    }
+
+    /// A curve in a changed parameter joins itself with the derivatives of the change as shape parameters.
+    #[test]
+    fn changed_parameters_are_found(f in curve(3, 3), at in small(), b1 in 1i64..5, b2 in small(), b3 in small()) {
+        prop_assume!(f.derivative(1).value(&at).iter().any(|x| *x != Rational::from(0)));
+        let change = [at.clone(), Rational::from(b1), &b2 / Rational::from(2), &b3 / Rational::from(6)];
+        let g = Curve::new(coordinates(&f).iter().map(|list| composed(list, &change)).collect()).expect("a curve");
+        let join = geometric_join(&f, &g, &at, &Rational::from(0)).expect("one dimension");
+        prop_assert_eq!((join.order, join.betas), (Some(3), vec![Rational::from(b1), b2, b3]));
+        let turned = [at.clone(), Rational::from(-b1)];
+        let g = Curve::new(coordinates(&f).iter().map(|list| composed(list, &turned)).collect()).expect("a curve");
+        let join = geometric_join(&f, &g, &at, &Rational::from(0)).expect("one dimension");
+        prop_assert!(join.reversed && join.order == Some(0));
+    }
+
+    /// One surface over two triangles on either side of an edge has common tangent planes.
+    #[test]
+    fn a_surface_joins_itself(terms in prop::collection::vec((0usize..3, 0usize..3, small()), 0..5)) {
+        let one = || Rational::from(1);
+        let surface = Surface::total(vec![vec![(1, 0, one())], vec![(0, 1, one())], terms]).expect("a surface");
+        let at = |u: i64, v: i64| [Rational::from(u), Rational::from(v)];
+        let side = |inner| surface.over_triangle(&Triangle::new(inner, at(0, 0), at(1, 0)).expect("a frame")).expect("a patch");
+        let join = tangent_plane_join(&side(at(0, 1)), &side(at(1, -2))).expect("in space");
+        prop_assert!(join.is_g1());
+        let folded = tangent_plane_join(&side(at(0, 1)), &side(at(2, 3))).expect("in space");
+        prop_assert!(folded.coplanar == Some(true) && folded.opposite_sides == Some(false));
+    }
+
+    #[test]
+    fn splines_are_as_smooth_as_their_knots_promise(degree in 1usize..5, gaps in prop::collection::vec(0i64..3, 12), seed in prop::collection::vec([small(), small()], 16), part in 0i64..9) {
+        let mut knots = vec![Rational::from(0)];
+        for gap in gaps {
+            knots.push(&knots[knots.len() - 1] + Rational::new(gap, 2));
+        }
+        let count = knots.len() - degree - 1;
+        let points: Vec<Vec<Rational>> = seed[..count].iter().map(|point| point.to_vec()).collect();
+        let Ok(spline) = Spline::new(degree, knots, points) else { return Ok(()) };
+        for join in spline.joins().expect("a spline") {
+            if let Continuity::C(order) = join.order {
+                prop_assert!(order + join.multiplicity >= degree);
+            }
+            prop_assert!(join.order != Continuity::Broken || join.multiplicity > degree);
+        }
+        // A knot more changes nothing of the curve.
+        let pieces = spline.pieces().expect("a spline");
+        let frame = pieces[pieces.len() / 2].frame();
+        let knot = frame.at(&Rational::new(part, 8));
+        if let Ok(finer) = spline.insert(&knot) {
+            for piece in finer.pieces().expect("a spline") {
+                let middle = piece.frame().at(&Rational::new(1, 2));
+                let whole = pieces.iter().find(|whole| whole.frame().contains(&middle)).expect("it lies in one");
+                prop_assert!(piece.same_map(whole).expect("numbers"));
+            }
+        }
+    }
+}
