@@ -8,8 +8,9 @@
 mod oracle;
 
 use casteljau::{
-    Axis, Bernstein, Interval, Mesh, Parameter, Piece, Place, PlaneParameter, Polynomial, Rational, Reading, Rectangle, RectangularPatch,
-    Surface, Symbol, Symmetry, Triangle, TriangularPatch, bernstein_matrix, check_polar_form, homogeneous_points, projected,
+    AffineMap, Axis, Bernstein, Interval, Mesh, Parameter, Piece, Place, PlaneParameter, Polynomial, Rational, Reading, Rectangle,
+    RectangularPatch, Surface, Symbol, Symmetry, Triangle, TriangularPatch, bernstein_matrix, check_polar_form, homogeneous_points,
+    projected,
 };
 use oracle::Terms;
 use proptest::prelude::*;
@@ -83,7 +84,7 @@ fn tensor(max: usize) -> impl Strategy<Value = (Terms, Surface)> {
             // Often of degree 0 in one of the variables.
             terms.iter_mut().flatten().for_each(|(h, k, _)| {
                 *h *= usize::from(!(no_u && no_v));
-                *k *= usize::from(!(no_u && !no_v));
+                *k *= usize::from(!no_u || no_v);
             });
             let terms = without_zeros(terms);
             let (p, q) = Surface::tensor(terms.clone()).ok()?.true_bidegree();
@@ -410,6 +411,19 @@ proptest! {
             (0..patch.dimension()).map(|c| patch.points().zip(&basis).zip(&weights).map(|((point, b), w)| &point[c] * b * w).sum::<Rational>() / &weight).collect()
         });
         prop_assert_eq!(projected(&rational.value(&u, &v).expect("numbers")), expected);
+    }
+
+    #[test]
+    fn images_of_weighted_points_are_points_of_the_image(patch in rectangular_patch(2), [u, v] in place(), seed in prop::collection::vec(1i64..4, 9), entries in prop::collection::vec(small(), 12)) {
+        let weights: Vec<Rational> = seed[..patch.points().len()].iter().map(|&w| Rational::from(w)).collect();
+        let lifted = homogeneous_points(&lists(patch.points()), &weights).expect("a weight each");
+        let rational = RectangularPatch::from_points(patch.degree(), lifted, patch.frame().clone()).expect("a patch");
+        let n = patch.dimension();
+        let map = AffineMap::new((0..3).map(|row| entries[3 * row..3 * row + n].to_vec()).collect(), entries[9..].to_vec()).expect("a map");
+        let image = rational.transform(&map.homogeneous()).expect("one dimension more");
+        let point = projected(&rational.value(&u, &v).expect("numbers"));
+        let expected = point.map(|point| map.apply(&point).expect("the dimension"));
+        prop_assert_eq!(projected(&image.value(&u, &v).expect("numbers")), expected);
     }
 
     /// Weights that are products of weights of the vertices only move the

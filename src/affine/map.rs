@@ -73,6 +73,18 @@ impl<C: Coefficient> AffineMap<C> {
         self.combine(vector, |_, _| C::nothing())
     }
 
+    /// The same map on homogeneous points `(w x, w)`: linear, and leaving the weight as it is.
+    #[must_use]
+    pub fn homogeneous(&self) -> Self {
+        let mut rows: Vec<Vec<C>> =
+            self.rows.iter().zip(&self.shift).map(|(row, shift)| row.iter().chain([shift]).cloned().collect()).collect();
+        let mut weight = vec![C::nothing(); self.source_dimension()];
+        weight.push(C::unit());
+        rows.push(weight);
+        let shift = vec![C::nothing(); rows.len()];
+        Self { rows, shift }
+    }
+
     fn combine(&self, point: &[C], start: impl Fn(usize, &C) -> C) -> Result<Vec<C>, Error> {
         if point.len() != self.source_dimension() {
             return Err(Error::WrongCount { what: "coordinates", expected: self.source_dimension(), found: point.len() });

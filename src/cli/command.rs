@@ -4,7 +4,7 @@ use clap::{Arg, ArgAction, Command, value_parser};
 
 use crate::exact::MAX_DIGITS;
 use crate::ops::limits::{MAX_NUMBERS, MAX_STEPS};
-use crate::ops::{Kind, Operation, Parameter, operations};
+use crate::ops::{Kind, Operation, Parameter, about, operations};
 use crate::segment::Segment;
 use crate::syntax::limits::{MAX_DEGREE, MAX_INPUT_BYTES, MAX_NESTING, MAX_TERMS};
 
@@ -70,9 +70,7 @@ pub(super) fn program() -> Command {
 fn subcommand(verb: &'static str) -> Command {
     let operations: Vec<&Operation> = Operation::of_verb(verb).collect();
     let examples: Vec<&str> = operations.iter().map(|operation| operation.example).collect();
-    let mut command = Command::new(verb)
-        .about(operations.first().map_or("", |operation| operation.doc))
-        .after_help(format!("Examples:\n  {}", examples.join("\n  ")));
+    let mut command = Command::new(verb).about(about(verb)).after_help(format!("Examples:\n  {}", examples.join("\n  ")));
     let parameters = parameters(verb);
     let positional = |names: &[&str]| parameters.iter().any(|parameter| parameter.flag.is_empty() && names.contains(&parameter.name));
     if positional(&["curve", "surface", "points", "values"]) {

@@ -18,4 +18,4 @@ mod rectangle;
 mod table;
 mod triangle;
 
-pub use table::{Growth, Kind, Operation, Parameter, Run, Weighting, operations};
+pub use table::{Growth, Kind, Operation, Parameter, Run, Weighting, about, operations};

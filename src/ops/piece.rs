@@ -1,5 +1,6 @@
 //! Operations on pieces of every kind, for numbers and for symbolic parameters alike.
 
+use crate::affine::AffineMap;
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::{Equation, Piece};
@@ -64,12 +65,15 @@ pub(super) fn product<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 }
 
 pub(super) fn transform<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let map = arguments.map("map")?;
+    // Points with weights are mapped where their weights are the last coordinate.
+    let lifted = arguments.is_weighted().then(|| arguments.map("map").map(AffineMap::homogeneous)).transpose()?;
+    let map = lifted.as_ref().map_or_else(|| arguments.map("map"), Ok)?;
     Ok(Answer::new(vec![match (arguments.get("points"), arguments.get("surface")) {
         (Some(_), _) => ("points", Value::Net(arguments.piece()?.transform(map)?)),
         (None, Some(_)) => ("surface", Value::Surface(arguments.surface()?.transform(map)?)),
         (None, None) => ("curve", Value::Curve(arguments.curve()?.transform(map)?)),
-    }]))
+    }])
+    .weighted(arguments.is_weighted()))
 }
 
 pub(super) fn equal<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {

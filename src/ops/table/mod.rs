@@ -207,3 +207,27 @@ pub fn operations() -> impl Iterator<Item = &'static Operation> {
     .into_iter()
     .flatten()
 }
+
+/// What a command does, where that is more than its first operation says.
+const COMMANDS: &[(&str, &str)] = &[
+    ("polar", "The polar form (blossom) of a curve or surface, its values, and checks of claimed ones"),
+    ("points", "The control points of a curve or surface over a frame"),
+    ("equation", "The equation of the curve or surface with these control points"),
+    ("eval", "The point of a curve or surface at a parameter, and de Casteljau's algorithm step by step"),
+    ("split", "The control points of the parts of a subdivided curve or patch"),
+    ("segment", "The curve that a surface carries along a segment, an edge, or a line of one parameter"),
+    ("reframe", "The control points of the same curve or patch over another frame"),
+    ("elevate", "The same curve or patch with more control points"),
+    ("reduce", "The true degree, and the same curve or patch with as few control points as it can have"),
+    ("derivative", "A derivative of a curve or surface"),
+    ("convert", "A rectangular patch as a triangular one, and the other way"),
+    ("plot", "A picture of a curve or patch (SVG), or a mesh of a patch (OBJ, glTF)"),
+    ("implicit", "The implicit equation of a plane curve, or of the quadric that a surface lies on"),
+];
+
+/// What a command does, in one line.
+#[must_use]
+pub fn about(verb: &str) -> &'static str {
+    let own = COMMANDS.iter().find(|(name, _)| *name == verb).map(|(_, doc)| *doc);
+    own.or_else(|| Operation::of_verb(verb).next().map(|operation| operation.doc)).unwrap_or("")
+}

@@ -32,6 +32,8 @@ pub(super) const OPERATIONS: &[Operation] = &[
             EITHER_CURVE,
             EITHER_SURFACE,
             EITHER_POINTS,
+            WEIGHTS,
+            WEIGHT,
             OVER_POINTS,
             required("map", Kind::Map, "map", "the image of (x, y) or (x, y, z) or (x1, x2, …)"),
         ],
