@@ -59,10 +59,10 @@ fn plain_replace(form: &mut PlainForm, vertex: usize, weights: &[BigRational; 3]
     let mut power = BigRational::from_integer(1.into());
     for exponent in 1..=degree {
         power *= &weights[vertex];
-        for i in 0..=degree {
-            for j in 0..=degree - i {
+        for (i, row) in form.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
                 if [degree - i - j, i, j][vertex] == exponent {
-                    form[i][j] *= &power;
+                    *entry *= &power;
                 }
             }
         }
