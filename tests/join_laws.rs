@@ -2,8 +2,9 @@
 //! the joint, curves in changed parameters, splines with known knots.
 
 use casteljau::{
-    Continuity, Curve, Rational, Reading, Spline, Surface, Term, Triangle, continuity_of_curves, continuity_of_rational_curves,
-    continuity_of_rational_surfaces, continuity_of_surfaces, geometric_join, tangent_plane_join,
+    Continuity, Curve, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, Spline, Surface, Term, Triangle,
+    continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces, continuity_of_surfaces, geometric_join,
+    join_conditions, tangent_plane_join,
 };
 use proptest::prelude::*;
 
@@ -87,6 +88,36 @@ proptest! {
         prop_assert_eq!(continuity_of_surfaces(&first, &second, &joint).expect("one dimension"), expected(order));
         let raised = first.read_as(Reading::Total(6)).expect("higher");
         prop_assert_eq!(continuity_of_surfaces(&first, &raised, &joint).expect("one dimension"), Continuity::Same);
+    }
+
+    /// The conditions of a textbook say the same as divisibility.
+    #[test]
+    fn conditions_hold_up_to_the_order(a in curve(2, 3), factor in nonzero(), order in 0usize..5, terms in prop::collection::vec((0usize..3, 0usize..3, small()), 0..6)) {
+        let one = || Rational::from(1);
+        // On the line, at 1; in the plane, along u = 1.
+        let mut lists = coordinates(&a);
+        lists[0] = sum(&lists[0], &times(&power(&[-one(), one()], order), std::slice::from_ref(&factor)));
+        let b = Curve::new(lists).expect("a curve");
+        let unit = |from: i64, to: i64| Interval::new(Rational::from(from), Rational::from(to)).expect("a frame");
+        let (first, second) = (Piece::Curve(a.segment(&unit(0, 1)).expect("a segment")), Piece::Curve(b.segment(&unit(1, 3)).expect("a segment")));
+        let mut changed = terms.clone();
+        changed.extend(linear_power(&[one(), Rational::from(0), -one()], order).into_iter().map(|(h, k, x)| (h, k, x * &factor)));
+        let (a, b) = (Surface::tensor(vec![terms]).expect("a surface"), Surface::tensor(vec![changed]).expect("a surface"));
+        let at = |u: i64, v: i64| [Rational::from(u), Rational::from(v)];
+        let triangle = |surface: &Surface, r, s, t| Piece::Triangle(surface.over_triangle(&Triangle::new(r, s, t).expect("a frame")).expect("a patch"));
+        let rectangle = |surface: &Surface, u, v| Piece::Rectangle(surface.over_rectangle(&Rectangle::new(u, v)).expect("a patch"));
+        let pairs = [
+            (first, second),
+            (triangle(&a, at(0, 0), at(1, 0), at(1, 1)), triangle(&b, at(1, 1), at(3, 2), at(1, 0))),
+            (rectangle(&a, unit(0, 1), unit(0, 1)), rectangle(&b, unit(1, 2), unit(1, 0))),
+            (rectangle(&a, unit(0, 1), unit(0, 1)), triangle(&b, at(1, 1), at(3, 2), at(1, 0))),
+        ];
+        for (first, second) in pairs {
+            let joint = Joint::between(&first, &second).expect("they share one end or side");
+            let conditions = join_conditions(&first, &second, &joint, order).expect("they fit");
+            prop_assert!(conditions.iter().filter(|condition| condition.order < order).all(JoinCondition::holds));
+            prop_assert!(conditions.iter().any(|condition| condition.order == order && !condition.holds()) || conditions.iter().all(|condition| condition.order < order));
+        }
     }
 
     /// A common factor of all homogeneous coordinates is not seen in Cartesian ones.

@@ -34,6 +34,7 @@ const LAYERS: &[&[&str]] = &[
         "continuity",
         "geometric",
         "spline",
+        "joint",
         "algebraic",
     ],
     &["cubic", "implicit", "quadric"],

@@ -7,6 +7,7 @@ use crate::continuity::{
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::geometric::{geometric_join, tangent_plane_join};
+use crate::joint::{JoinCondition, Joint, join_conditions};
 use crate::piece::{Equation, Piece};
 use crate::spline::Spline;
 use crate::surface::Surface;
@@ -145,4 +146,75 @@ pub(super) fn spline(arguments: &Arguments) -> Result<Answer, Error> {
         ));
     }
     Ok(Answer::new(fields))
+}
+
+/// Two pieces at their joint: the order, and the conditions one by one.
+pub(super) fn join(arguments: &Arguments) -> Result<Answer, Error> {
+    let (first, second) = (arguments.piece()?, arguments.other_piece()?);
+    let weighted = arguments.is_weighted();
+    if weighted != (arguments.get("other_weights").is_some()) {
+        return Err(Error::WrongShape(
+            "one of the pieces has weights and the other has none: give both some, 1 where there is none".into(),
+        ));
+    }
+    let joint = match arguments.number("at") {
+        Ok(at) => Joint::Parameter(at.clone()),
+        Err(_) => Joint::between(&first, &second).ok_or_else(|| {
+            Error::WrongShape(format!(
+                "the frames {} and {} do not share one end or side: give the pieces their frames (--over, --other-over), or curves --at T",
+                first.frame(),
+                second.frame()
+            ))
+        })?,
+    };
+    let mut fields = vec![match &joint {
+        Joint::Parameter(at) => ("at", Value::Number(at.clone())),
+        Joint::Edge(ends) => ("edge", Value::Points(ends.iter().map(|end| end.to_vec()).collect())),
+    }];
+    let (a, b) = (first.equation()?, second.equation()?);
+    let found = match (&a, &b, &joint, weighted) {
+        (Equation::Curve(a), Equation::Curve(b), Joint::Parameter(at), false) => continuity_of_curves(a, b, at)?,
+        (Equation::Surface(a), Equation::Surface(b), Joint::Edge(edge), false) => continuity_of_surfaces(a, b, edge)?,
+        (Equation::Curve(a), Equation::Curve(b), Joint::Parameter(at), true) => {
+            let join = continuity_of_rational_curves(a, b, at)?;
+            fields.extend([("homogeneous_max_k", order(join.homogeneous)), ("scaled_homogeneous_max_k", order(join.scaled))]);
+            join.cartesian
+        }
+        (Equation::Surface(a), Equation::Surface(b), Joint::Edge(edge), true) => {
+            let join = continuity_of_rational_surfaces(a, b, edge)?;
+            fields.push(("homogeneous_max_k", order(join.homogeneous)));
+            join.cartesian
+        }
+        _ => return Err(Error::WrongShape("a curve and a patch do not join".into())),
+    };
+    fields.push(("max_k", order(found)));
+    // One order more than holds, to show what fails; of maps that are the same, as many as they have.
+    let shown = match (arguments.count("order"), found) {
+        (Ok(&order), _) => order,
+        (Err(_), Continuity::Broken) => 0,
+        (Err(_), Continuity::C(order)) => order + 1,
+        (Err(_), Continuity::Same) => usize::MAX,
+    };
+    let conditions = join_conditions(&first, &second, &joint, shown)?;
+    let record = |condition: JoinCondition| {
+        let mut fields = vec![
+            ("order", Value::Count(condition.order)),
+            ("label", Value::Document(condition.label.clone())),
+            ("first", Value::Point(condition.first.clone())),
+            ("second", Value::Point(condition.second.clone())),
+        ];
+        if !condition.holds() {
+            fields.push(("defect", Value::Point(condition.defect())));
+        }
+        Value::Record(fields)
+    };
+    fields.push(("conditions", Value::List(conditions.into_iter().map(record).collect())));
+    let answer = Answer::new(fields);
+    Ok(match arguments.word("require") {
+        Ok(word) => {
+            let needed = word.trim_start_matches('C').parse().unwrap_or(0);
+            answer.that_holds(found >= Continuity::C(needed))
+        }
+        Err(_) => answer,
+    })
 }

@@ -1,6 +1,6 @@
 //! Operations on joins and splines.
 
-use super::parameters::{optional, required};
+use super::parameters::*;
 use super::{Growth, Kind, Operation, Parameter, Run};
 use crate::ops::join;
 use crate::value::Domain;
@@ -11,7 +11,7 @@ const RECTANGLES: &[Domain] = &[Domain::Rectangle];
 
 const A: Parameter = required("A", Kind::Piece, "", "the first piece: frame and points, or homogeneous_points");
 const B: Parameter = required("B", Kind::Piece, "", "the second piece");
-const AT: Parameter = required("at", Kind::Number, "", "the parameter of the joint");
+const PARAMETER: Parameter = required("at", Kind::Number, "", "the parameter of the joint");
 const EDGE: Parameter = required("edge", Kind::Edge, "", "the two shared points of the parameter plane");
 const AXIS: Parameter = required("axis", Kind::Word(&["u", "v"]), "", "the parameter that is constant on the joint");
 
@@ -19,7 +19,30 @@ const fn row(name: &'static str, domains: &'static [Domain], doc: &'static str, 
     Operation { name, verb: "", domains, selected_by: &[], doc, example: "", parameters, growth: Growth::Linear, run }
 }
 
+const ALL: &[Domain] = &[Domain::Curve, Domain::Triangle, Domain::Rectangle];
+
 pub(super) const OPERATIONS: &[Operation] = &[
+    Operation {
+        name: "join",
+        verb: "join",
+        domains: ALL,
+        selected_by: &[],
+        doc: "The order of continuity between two pieces, condition by condition",
+        example: "casteljau join '(0,0) (1,2) (3,2) (4,0)' '(4,0) (5,-2) (7,1)' --over 0..1 --other-over 1..2",
+        parameters: &[
+            EITHER_POINTS,
+            WEIGHTS,
+            OVER,
+            OTHER_POINTS,
+            optional("other_weights", Kind::Weights, "", "the weights of the second piece"),
+            OTHER_OVER,
+            optional("at", Kind::Number, "at", "the parameter where two curves join, if their frames do not say"),
+            optional("order", Kind::Count, "order", "list the conditions up to this order"),
+            optional("require", Kind::Word(&["C0", "C1", "C2", "C3", "C4"]), "require", "exit status 1 unless it is at least this smooth"),
+        ],
+        growth: Growth::Scheme,
+        run: Run::Numeric(join::join),
+    },
     Operation {
         name: "bspline.pieces",
         verb: "spline",
@@ -36,13 +59,13 @@ pub(super) const OPERATIONS: &[Operation] = &[
         growth: Growth::Scheme,
         run: Run::Numeric(join::spline),
     },
-    row("join.curve", CURVES, "The order of continuity of two curves at a parameter", &[A, B, AT], Run::Numeric(join::curves)),
+    row("join.curve", CURVES, "The order of continuity of two curves at a parameter", &[A, B, PARAMETER], Run::Numeric(join::curves)),
     row("join.triangle", TRIANGLES, "The order of continuity of two triangles across an edge", &[A, B, EDGE], Run::Numeric(join::surfaces)),
     row(
         "join.rectangle",
         RECTANGLES,
         "The order of continuity of two rectangles along a constant parameter",
-        &[A, B, AXIS, AT],
+        &[A, B, AXIS, PARAMETER],
         Run::Numeric(join::rectangles),
     ),
     row("join.mixed", RECTANGLES, "The order of continuity of a rectangle and a triangle", &[A, B, EDGE], Run::Numeric(join::surfaces)),
@@ -50,7 +73,7 @@ pub(super) const OPERATIONS: &[Operation] = &[
         "join.curve_rational",
         CURVES,
         "The Cartesian and the homogeneous order of continuity of two rational curves",
-        &[A, B, AT],
+        &[A, B, PARAMETER],
         Run::Numeric(join::rational_curves),
     ),
     row(

@@ -39,6 +39,15 @@ impl<C: Coefficient> Page<'_, C> {
                         _ => "not even C0".to_owned(),
                     };
                     self.lines.push(format!("at {}: {order}", self.notation.number(knot)));
+                } else if let (Some(Value::Document(label)), Some(Value::Point(first)), Some(Value::Point(second))) =
+                    (get("label"), get("first"), get("second"))
+                {
+                    let label = label.trim_start_matches('f');
+                    let (first, second) = (self.notation.point(first), self.notation.point(second));
+                    self.lines.push(match get("defect") {
+                        None => format!("A{label} = B{label}  {first} = {second}"),
+                        Some(defect) => format!("A{label} ≠ B{label}  {first} ≠ {second}, by {}", self.inline(defect)),
+                    });
                 } else if let (Some(index), Some(polynomial)) = (get("index"), get("polynomial")) {
                     self.basis_function(index, polynomial, get("maximum"), get("value"));
                 } else if let (

@@ -49,6 +49,19 @@ impl<C: Coefficient> Page<'_, C> {
         };
         match value {
             Value::Truth(truth) => self.truth(name, &title, *truth),
+            Value::Count(_) | Value::Word(_) | Value::Integer(_) if name.ends_with("max_k") => {
+                let order = match value {
+                    Value::Count(order) => format!("C{order}"),
+                    Value::Word(_) => "the same map".to_owned(),
+                    _ => "not even C0".to_owned(),
+                };
+                let what = match name {
+                    "homogeneous_max_k" => "in homogeneous space: ",
+                    "scaled_homogeneous_max_k" => "in homogeneous space, up to a factor: ",
+                    _ => "",
+                };
+                self.lines.push(format!("{what}{order}"));
+            }
             Value::Count(count) => self.lines.push(format!("{title}: {count}")),
             Value::Integer(number) => self.lines.push(format!("{title}: {number}")),
             Value::Counts(counts) => self.lines.push(format!("{title}: ({})", join(counts))),
@@ -57,6 +70,10 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Word("edge") if name == "place" => self.lines.push("on an edge".to_owned()),
             Value::Word(_) if name == "place" => {}
             Value::Word(word) => self.lines.push(format!("{title}: {word}")),
+            Value::Number(number) if name == "at" => self.lines.push(format!("s = {}", self.notation.number(number))),
+            Value::Points(ends) if name == "edge" && ends.len() == 2 => {
+                self.lines.push(format!("s = {}, t = {}", self.notation.point(&ends[0]), self.notation.point(&ends[1])));
+            }
             Value::Number(number) => {
                 self.lines.push(format!("{title}: {}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number))))
             }
