@@ -1,23 +1,17 @@
 //! Polynomial surfaces by their equations.
 
-use num_bigint::BigInt;
-use smallvec::SmallVec;
+mod over;
+mod polar;
 
-use crate::affine::{AffineMap, Interval, Parameter, PlaneParameter, Rectangle, Triangle, Weights};
-use crate::blossom::PolarForm;
-use crate::control::{ControlNet, Data, change_frame, edge};
+use crate::affine::{AffineMap, Weights};
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::exact::gcd::gcd_big;
 use crate::kernel::coefficient::Coefficient;
-use crate::kernel::layout::{Layout, multinomials};
+use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
-use crate::kernel::task::{SymmetricSum, Value};
+use crate::kernel::task::Value;
 use crate::reading::Reading;
-use crate::rectangular::RectangularPatch;
-use crate::segment::Segment;
 use crate::symbolic::{Monomial, Polynomial, Symbol};
-use crate::triangular::TriangularPatch;
 
 /// One term `c u^h v^k` of a coordinate: `(h, k, c)`.
 pub type Term<C = Rational> = (usize, usize, C);
@@ -43,10 +37,10 @@ pub type Term<C = Rational> = (usize, usize, C);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface<C = Rational> {
-    reading: Reading,
-    dimension: usize,
+    pub(super) reading: Reading,
+    pub(super) dimension: usize,
     /// The vectors `F_hk`, the second exponent running faster.
-    coefficients: Vec<C>,
+    pub(super) coefficients: Vec<C>,
 }
 
 impl<C: Coefficient> Surface<C> {
@@ -106,7 +100,7 @@ impl<C: Coefficient> Surface<C> {
         Ok(Surface { reading: self.reading, dimension: self.dimension, coefficients })
     }
 
-    fn shape(&self) -> Shape {
+    pub(super) fn shape(&self) -> Shape {
         self.reading.shape(self.dimension)
     }
 
@@ -228,67 +222,7 @@ impl<C: Coefficient> Surface<C> {
         }
     }
 
-    /// The polar form in the way the surface is read.
-    #[must_use]
-    pub fn polar(&self) -> PolarForm<C> {
-        PolarForm::new(self.reading, self.dimension, &self.coefficients)
-    }
-
-    /// The polar value at `m` points or vectors of the plane, if the surface is
-    /// read by its total degree `m`.
-    ///
-    /// # Errors
-    /// [`Error::WrongCount`] for another number of arguments;
-    /// [`Error::WrongShape`] if it is read by its bidegree.
-    pub fn blossom(&self, arguments: &[PlaneParameter<C>]) -> Result<Vec<C>, Error> {
-        let Reading::Total(degree) = self.reading else {
-            return Err(Error::WrongShape("this surface is read by its bidegree: its polar form takes two groups of numbers".into()));
-        };
-        if arguments.len() != degree {
-            return Err(Error::WrongCount { what: "polar arguments", expected: degree, found: arguments.len() });
-        }
-        let weights = arguments.iter().map(|PlaneParameter { u, v, w }| Weights::of(&[w.clone(), u.clone(), v.clone()]));
-        Ok(self.polar_value(weights))
-    }
-
-    /// The polar value at `p` arguments for the first and `q` for the second
-    /// variable, if the surface is read by its bidegree `(p, q)`.
-    ///
-    /// # Errors
-    /// [`Error::WrongCount`] for another number of arguments;
-    /// [`Error::WrongShape`] if it is read by its total degree.
-    pub fn blossom_bidegree(&self, us: &[Parameter<C>], vs: &[Parameter<C>]) -> Result<Vec<C>, Error> {
-        let Reading::Bidegree(p, q) = self.reading else {
-            return Err(Error::WrongShape("this surface is read by its total degree: its polar form takes points of the plane".into()));
-        };
-        for (what, expected, found) in
-            [("polar arguments of the first variable", p, us.len()), ("polar arguments of the second variable", q, vs.len())]
-        {
-            if expected != found {
-                return Err(Error::WrongCount { what, expected, found });
-            }
-        }
-        Ok(self.polar_value(us.iter().chain(vs).map(|Parameter { t, w }| Weights::of_pair(w, t))))
-    }
-
-    fn polar_value(&self, arguments: impl Iterator<Item = Weights<C>>) -> Vec<C> {
-        let mut divisors: SmallVec<[C; 4]> = SmallVec::new();
-        let mut parameters = Vec::new();
-        for argument in arguments {
-            parameters.extend(argument.weights);
-            divisors.push(argument.scale);
-        }
-        for factor in self.reading.factors() {
-            let shape = Shape { factors: SmallVec::from_slice(&[factor]), stride: 1 };
-            let common = common_multiple(&multinomials::<BigInt>(&shape));
-            parameters.extend(multinomials::<BigInt>(&shape).into_iter().map(|n| C::from(Rational::from(&common / n))));
-            divisors.push(C::from(Rational::from(common)));
-        }
-        let layout = Layout { divisors, ..self.point_layout() };
-        C::compute(&SymmetricSum { shape: self.shape() }, &self.coefficients, &parameters, &[layout])
-    }
-
-    fn point_layout(&self) -> Layout<C> {
+    pub(super) fn point_layout(&self) -> Layout<C> {
         Layout::constant(Shape::curve(0, self.dimension), C::unit())
     }
 
@@ -368,68 +302,6 @@ impl<C: Coefficient> Surface<C> {
         Self::new(reading, coordinates)
     }
 
-    /// The triangular patch over a frame: its control points are the polar
-    /// values at the vertices, `b_ijk = f(r^i s^j t^k)` (Gallier, section 19.2).
-    /// A surface read by its bidegree `(p, q)` becomes one of total degree `p + q`.
-    ///
-    /// # Errors
-    /// [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
-    pub fn over_triangle(&self, frame: &Triangle<C>) -> Result<TriangularPatch<C>, Error> {
-        let surface = self.by_total_degree()?;
-        let shape = surface.shape();
-        if frame.vertices().iter().flatten().any(|coordinate| coordinate.as_rational().is_none()) {
-            // Replacing vertices would divide by symbolic weights; polar values do not.
-            let mut coordinates = Vec::with_capacity(surface.coefficients.len());
-            let vertices = [frame.t(), frame.r(), frame.s()].map(|vertex| PlaneParameter::point(vertex.clone()));
-            for exponents in surface.reading.exponents() {
-                let repeated = vertices.iter().zip(&exponents).flat_map(|(vertex, &times)| std::iter::repeat_n(vertex.clone(), times));
-                coordinates.extend(surface.blossom(&repeated.collect::<Vec<_>>())?);
-            }
-            return Ok(TriangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()));
-        }
-        let data = (Data::Equation, surface.coefficients.as_slice());
-        let coordinates = change_frame(&shape, data, [frame.homogeneous_vertices()], Data::Net)?;
-        Ok(TriangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()))
-    }
-
-    /// The rectangular patch over two frames: its control points are
-    /// `b_ij = f(r1^{p-i} s1^i; r2^{q-j} s2^j)` (Gallier, section 19.3).
-    /// A surface read by its total degree `m` becomes one of bidegree `(m, m)`.
-    ///
-    /// # Errors
-    /// [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
-    pub fn over_rectangle(&self, frame: &Rectangle<C>) -> Result<RectangularPatch<C>, Error> {
-        let surface = self.by_bidegree()?;
-        let shape = surface.shape();
-        let vertices = [frame.u().vertices(), frame.v().vertices()];
-        let coordinates = change_frame(&shape, (Data::Equation, &surface.coefficients), vertices, Data::Net)?;
-        Ok(RectangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()))
-    }
-
-    /// The curve that the surface carries along the line from `a` to `b`, over
-    /// the frame `0..1`: its control points are `f(a^{m-i} b^i)`, where `m` is
-    /// the total degree, or `p + q` for a bidegree (CS348a, lecture 12, section 4).
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] if it is not known whether symbolic ends are
-    /// different; [`Error::TooLarge`] above [`Surface::MAX_COEFFICIENTS`].
-    pub fn segment(&self, a: &[C; 2], b: &[C; 2]) -> Result<Segment<C>, Error> {
-        let surface = self.by_total_degree()?;
-        let direction = [b[0].minus(&a[0]), b[1].minus(&a[1])];
-        if direction.iter().all(C::is_nothing) {
-            let point = surface.value(a);
-            let coordinates = (0..=surface.reading.groups()[0].0).flat_map(|_| point.iter().cloned()).collect();
-            return Segment::new(self.dimension, coordinates, Interval::unit());
-        }
-        // A third vertex off the line: a step across it. What it is does not matter.
-        let across = if direction[1].is_nothing() { [C::nothing(), C::unit()] } else { [C::unit(), C::nothing()] };
-        let off = PlaneParameter::vector(across);
-        let vertices = [off, PlaneParameter::point(a.clone()), PlaneParameter::point(b.clone())];
-        let vertices = vertices.map(|PlaneParameter { u, v, w }| Weights::of(&[w, u, v]));
-        let net = edge(&surface.shape(), &surface.coefficients, vertices.into_iter().collect())?;
-        Ok(Segment::from_net(net, Interval::unit()))
-    }
-
     /// The image under an affine map.
     ///
     /// # Errors
@@ -448,14 +320,6 @@ impl<C: Coefficient> Surface<C> {
     pub fn same_map(&self, other: &Self) -> bool {
         self.dimension == other.dimension && (0..self.dimension).all(|index| self.terms(index) == other.terms(index))
     }
-}
-
-/// The least common multiple of some positive numbers.
-fn common_multiple(numbers: &[BigInt]) -> BigInt {
-    numbers.iter().fold(BigInt::from(1), |common, number| {
-        let shared = BigInt::from(gcd_big(common.magnitude(), number.magnitude()));
-        common / shared * number
-    })
 }
 
 /// The largest degrees of terms that are not zero: in each variable, and in both together.
