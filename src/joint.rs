@@ -184,3 +184,63 @@ fn rectangles(
     }
     Ok(conditions)
 }
+
+/// The net that a smooth neighbour is bound to have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extension {
+    /// The continuation of the piece over the neighbour's frame: the neighbour's
+    /// control points as far as they are forced.
+    pub continuation: Piece,
+    /// For every control point, in order, whether it is forced; the others are free.
+    pub forced: Vec<bool>,
+}
+
+/// What continuity of order `order` across a joint forces on the neighbour over
+/// a frame: the control points with at most `order` arguments off the joint are
+/// those of the piece continued (CS348a, lecture 12, section 5; Farin, *Curves
+/// and Surfaces for CAGD*, subdivision and continuity).
+///
+/// # Errors
+/// [`Error::WrongShape`] if the frame is of another kind than the piece or does
+/// not have the joint as one of its ends or sides.
+pub fn extend(piece: &Piece, frame: &Frame<Rational>, joint: &Joint, order: usize) -> Result<Extension, Error> {
+    let continuation = match (piece, frame) {
+        (Piece::Curve(segment), Frame::Interval(frame)) => Piece::Curve(segment.reframe(frame)?),
+        (Piece::Triangle(patch), Frame::Triangle(frame)) => Piece::Triangle(patch.reframe(frame)?),
+        (Piece::Rectangle(patch), Frame::Rectangle(frame)) => Piece::Rectangle(patch.reframe(frame)?),
+        _ => return Err(unfit()),
+    };
+    let on_joint = |point: &[Rational; 2]| matches!(joint, Joint::Edge(ends) if ends.contains(point));
+    // How many arguments of a control point are off the joint.
+    let off: Vec<usize> = match (&continuation, joint) {
+        (Piece::Curve(segment), Joint::Parameter(at)) => {
+            let degree = segment.degree();
+            let first = segment.frame().r() == at;
+            if !first && segment.frame().s() != at {
+                return Err(unfit());
+            }
+            (0..=degree).map(|i| if first { i } else { degree - i }).collect()
+        }
+        (Piece::Triangle(patch), Joint::Edge(_)) => {
+            let inner = patch.frame().vertices().iter().position(|vertex| !on_joint(vertex)).ok_or_else(unfit)?;
+            if patch.frame().vertices().iter().filter(|vertex| on_joint(vertex)).count() != 2 {
+                return Err(unfit());
+            }
+            crate::triangular::TriangularPatch::<Rational>::indices(patch.degree()).into_iter().map(|index| index[inner]).collect()
+        }
+        (Piece::Rectangle(patch), Joint::Edge([from, to])) => {
+            let (p, q) = patch.degree();
+            let along_v = from[0] == to[0];
+            let own = if along_v { patch.frame().u() } else { patch.frame().v() };
+            let at = if along_v { &from[0] } else { &from[1] };
+            let first = own.r() == at;
+            if !first && own.s() != at {
+                return Err(unfit());
+            }
+            let count = |k: usize, degree: usize| if first { k } else { degree - k };
+            (0..=p).flat_map(|i| (0..=q).map(move |j| (i, j))).map(|(i, j)| if along_v { count(i, p) } else { count(j, q) }).collect()
+        }
+        _ => return Err(unfit()),
+    };
+    Ok(Extension { continuation, forced: off.into_iter().map(|off| off <= order).collect() })
+}

@@ -113,7 +113,7 @@ pub use flatness::Flattening;
 pub use geometric::{GeometricJoin, TangentPlaneJoin, geometric_join, tangent_plane_join};
 pub use hull::{ConvexHull, bounding_box};
 pub use implicit::{ConicType, ImplicitCurve, Parameters};
-pub use joint::{JoinCondition, Joint, join_conditions};
+pub use joint::{Extension, JoinCondition, Joint, extend, join_conditions};
 pub use kernel::coefficient::Coefficient;
 pub use matrix::bernstein_matrix;
 pub use mesh::Mesh;

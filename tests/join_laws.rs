@@ -2,9 +2,9 @@
 //! the joint, curves in changed parameters, splines with known knots.
 
 use casteljau::{
-    Continuity, Curve, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, Spline, Surface, Term, Triangle,
-    continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces, continuity_of_surfaces, geometric_join,
-    join_conditions, tangent_plane_join,
+    Continuity, Curve, Extension, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, RectangularPatch, Segment, Spline,
+    Surface, Term, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
+    continuity_of_surfaces, extend, geometric_join, join_conditions, tangent_plane_join,
 };
 use proptest::prelude::*;
 
@@ -118,6 +118,40 @@ proptest! {
             prop_assert!(conditions.iter().filter(|condition| condition.order < order).all(JoinCondition::holds));
             prop_assert!(conditions.iter().any(|condition| condition.order == order && !condition.holds()) || conditions.iter().all(|condition| condition.order < order));
         }
+    }
+
+    /// A neighbour that takes the forced points over joins as smoothly as promised, whatever the free ones are.
+    #[test]
+    fn forced_points_are_enough(a in curve(2, 3), order in 0usize..3, terms in prop::collection::vec((0usize..3, 0usize..3, small()), 0..6), noise in prop::collection::vec(small(), 30)) {
+        let unit = |from: i64, to: i64| Interval::new(Rational::from(from), Rational::from(to)).expect("a frame");
+        let changed = |extension: &Extension| -> Vec<Vec<Rational>> {
+            let points = extension.continuation.points().zip(&extension.forced);
+            points.enumerate().map(|(k, (point, forced))| if *forced { point.to_vec() } else { point.iter().map(|x| x + &noise[k]).collect() }).collect()
+        };
+        let piece = Piece::Curve(a.segment(&unit(0, 1)).expect("a segment"));
+        let found = extend(&piece, &unit(1, 4).into(), &Joint::Parameter(Rational::from(1)), order).expect("it fits");
+        let neighbour = Segment::from_points(changed(&found), unit(1, 4)).expect("a segment");
+        prop_assert!(continuity_of_curves(&a, &neighbour.curve().expect("numbers"), &Rational::from(1)).expect("one dimension") >= Continuity::C(order));
+        prop_assert_eq!(found.forced.iter().filter(|forced| **forced).count(), order + 1);
+
+        let at = |u: i64, v: i64| [Rational::from(u), Rational::from(v)];
+        let surface = Surface::new(Reading::Total(4), vec![terms]).expect("a surface");
+        let frame = Triangle::new(at(0, 0), at(1, 0), at(1, 1)).expect("a frame");
+        let piece = Piece::Triangle(surface.over_triangle(&frame).expect("a patch"));
+        let edge = [at(1, 0), at(1, 1)];
+        let beyond = Triangle::new(at(1, 1), at(3, 2), at(1, 0)).expect("a frame");
+        let found = extend(&piece, &beyond.clone().into(), &Joint::Edge(edge.clone()), order).expect("it fits");
+        let neighbour = TriangularPatch::from_points(changed(&found), beyond).expect("a patch");
+        prop_assert!(continuity_of_surfaces(&surface, &neighbour.surface().expect("numbers"), &edge).expect("one dimension") >= Continuity::C(order));
+        // (k+1)(2m-k+2)/2 conditions, as many as points.
+        prop_assert_eq!(found.forced.iter().filter(|forced| **forced).count(), (order + 1) * (2 * 4 - order + 2) / 2);
+
+        let tensor = surface.by_bidegree().expect("small");
+        let piece = Piece::Rectangle(tensor.over_rectangle(&Rectangle::new(unit(0, 1), unit(0, 1))).expect("a patch"));
+        let beyond = Rectangle::new(unit(1, 3), unit(0, 1));
+        let found = extend(&piece, &beyond.clone().into(), &Joint::Edge(edge.clone()), order).expect("it fits");
+        let neighbour = RectangularPatch::from_points((4, 4), changed(&found), beyond).expect("a patch");
+        prop_assert!(continuity_of_surfaces(&tensor, &neighbour.surface().expect("numbers"), &edge).expect("one dimension") >= Continuity::C(order));
     }
 
     /// A common factor of all homogeneous coordinates is not seen in Cartesian ones.

@@ -4,6 +4,7 @@
 use clap::ArgMatches;
 
 use super::diagnostic::Problem;
+use super::select::is_given;
 use super::source::Source;
 use super::variables;
 use crate::affine::{Frame, Interval, Rectangle, Triangle};
@@ -55,6 +56,10 @@ impl Given {
         let takes = |name: &str| Operation::of_verb(verb).any(|operation| operation.parameter(&format!("{prefix}{name}")).is_some());
         let (equations, points) = (takes("curve") || takes("surface"), takes("points"));
         if !equations && !points {
+            return Ok(None);
+        }
+        // One piece is enough where the neighbour is what is asked for.
+        if argument == "other" && is_given(matches, "extend") && !is_given(matches, "other") {
             return Ok(None);
         }
         let source = Source::of(matches, argument)?;

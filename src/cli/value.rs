@@ -23,7 +23,9 @@ impl Reader<'_> {
             Kind::Number => Value::Number(syntax::parse_scalar(text).map_err(problem)?),
             Kind::Place => {
                 let place = list()?;
-                let expected = if self.domain == Domain::Curve { 1 } else { 2 };
+                // A rectangle is continued to one parameter.
+                let single = self.domain == Domain::Curve || (self.domain == Domain::Rectangle && parameter.name == "extend");
+                let expected = if single { 1 } else { 2 };
                 if place.len() != expected {
                     return Err(parameters_wanted(&name, self.domain, place.len()));
                 }

@@ -1,5 +1,6 @@
 //! Operations on joins, and on the splines that consist of joined pieces.
 
+use crate::affine::{Frame, Interval, Rectangle, Triangle};
 use crate::continuity::{
     Continuity, RationalContinuity, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
     continuity_of_surfaces,
@@ -7,7 +8,7 @@ use crate::continuity::{
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::geometric::{geometric_join, tangent_plane_join};
-use crate::joint::{JoinCondition, Joint, join_conditions};
+use crate::joint::{Extension, JoinCondition, Joint, extend, join_conditions};
 use crate::piece::{Equation, Piece};
 use crate::spline::Spline;
 use crate::surface::Surface;
@@ -217,4 +218,58 @@ pub(super) fn join(arguments: &Arguments) -> Result<Answer, Error> {
         }
         Err(_) => answer,
     })
+}
+
+/// What continuity forces on a neighbour across an end or side of a piece.
+pub(super) fn extension(arguments: &Arguments) -> Result<Answer, Error> {
+    let piece = arguments.piece()?;
+    let (to, order) = (arguments.numbers("extend")?, *arguments.count("order")?);
+    let edge = arguments.word("edge").copied().ok();
+    let unknown = |name: &str, known: &str| Error::WrongShape(format!("there is no edge `{name}` here; there are {known}"));
+    let wrong_count = |expected| Error::WrongCount { what: "parameters of the neighbour's vertex", expected, found: to.len() };
+    let (frame, joint): (Frame<Rational>, Joint) = match piece.frame() {
+        Frame::Interval(frame) => {
+            let [end] = to.as_slice() else { return Err(wrong_count(1)) };
+            // The neighbour begins where this piece ends, on the side of its other end.
+            let at = arguments.number("at").unwrap_or(frame.s()).clone();
+            (Interval::new(at.clone(), end.clone())?.into(), Joint::Parameter(at))
+        }
+        Frame::Triangle(frame) => {
+            let [u, v] = to.as_slice() else { return Err(wrong_count(2)) };
+            let [r, s, t] = frame.vertices();
+            let (from, to) = match edge.unwrap_or("st") {
+                "rs" => (r, s),
+                "st" => (s, t),
+                "tr" => (t, r),
+                other => return Err(unknown(other, "rs, st and tr")),
+            };
+            let neighbour = Triangle::new([u.clone(), v.clone()], from.clone(), to.clone())?;
+            (neighbour.into(), Joint::Edge([from.clone(), to.clone()]))
+        }
+        Frame::Rectangle(frame) => {
+            let [end] = to.as_slice() else { return Err(wrong_count(1)) };
+            let (u, v) = (frame.u(), frame.v());
+            let beside = |at: &Rational| Interval::new(at.clone(), end.clone());
+            match edge.unwrap_or("u1") {
+                name @ ("u0" | "u1") => {
+                    let at = if name == "u0" { u.r() } else { u.s() };
+                    let side = [v.r(), v.s()].map(|end| [at.clone(), end.clone()]);
+                    (Rectangle::new(beside(at)?, v.clone()).into(), Joint::Edge(side))
+                }
+                name @ ("v0" | "v1") => {
+                    let at = if name == "v0" { v.r() } else { v.s() };
+                    let side = [u.r(), u.s()].map(|end| [end.clone(), at.clone()]);
+                    (Rectangle::new(u.clone(), beside(at)?).into(), Joint::Edge(side))
+                }
+                other => return Err(unknown(other, "u0, u1, v0 and v1")),
+            }
+        }
+    };
+    let Extension { continuation, forced } = extend(&piece, &frame, &joint, order)?;
+    let entries = continuation.labels().into_iter().zip(continuation.points()).zip(forced).map(|((label, point), forced)| {
+        let point = if forced { Value::Point(point.to_vec()) } else { Value::Nothing };
+        Value::Record(vec![("label", Value::Document(label)), ("forced", point)])
+    });
+    let entries = entries.collect();
+    Ok(Answer::new(vec![("frame", Value::Frame(frame)), ("neighbour", Value::List(entries))]))
 }

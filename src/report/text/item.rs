@@ -39,6 +39,11 @@ impl<C: Coefficient> Page<'_, C> {
                         _ => "not even C0".to_owned(),
                     };
                     self.lines.push(format!("at {}: {order}", self.notation.number(knot)));
+                } else if let (Some(Value::Document(label)), Some(forced)) = (get("label"), get("forced")) {
+                    self.lines.push(match forced {
+                        Value::Point(_) => format!("{label} = {}", self.inline(forced)),
+                        _ => format!("{label} is free"),
+                    });
                 } else if let (Some(Value::Document(label)), Some(Value::Point(first)), Some(Value::Point(second))) =
                     (get("label"), get("first"), get("second"))
                 {
