@@ -4,7 +4,7 @@
 use clap::ArgMatches;
 
 use super::diagnostic::Problem;
-use super::select::is_given;
+use super::flags::is_given;
 use super::source::Source;
 use super::variables;
 use crate::affine::{Frame, Interval, Rectangle, Triangle};

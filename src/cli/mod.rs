@@ -4,6 +4,7 @@ mod arguments;
 mod clash;
 mod command;
 mod diagnostic;
+mod flags;
 mod given;
 mod read;
 mod select;
@@ -85,17 +86,17 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
 
 fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
     refuse_decimals(matches)?;
-    if let Some(path) = select::text_of(matches, "output") {
+    if let Some(path) = flags::text_of(matches, "output") {
         writable(path)?;
     }
     let mut notes = Vec::new();
     // A gallery is of nothing in particular.
-    let given = if select::is_given(matches, "gallery") { None } else { Given::of(verb, matches, "input", &mut notes)? };
+    let given = if flags::is_given(matches, "gallery") { None } else { Given::of(verb, matches, "input", &mut notes)? };
     let other = Given::of(verb, matches, "other", &mut notes)?;
-    if let (Some(weight), Some(Given::Points(_) | Given::File(_))) = (select::text_of(matches, "weight"), &given) {
+    if let (Some(weight), Some(Given::Points(_) | Given::File(_))) = (flags::text_of(matches, "weight"), &given) {
         return Err(Problem::plain(format!("--weight {weight} goes with an equation; control points have a weight each, as in (1,1):2")));
     }
-    let weighted = given.as_ref().is_some_and(Given::is_weighted) || select::is_given(matches, "weight");
+    let weighted = given.as_ref().is_some_and(Given::is_weighted) || flags::is_given(matches, "weight");
     let selection = select::select(verb, given.as_ref(), other.as_ref(), weighted, matches)?;
     let operation = selection.operation;
     let arguments = read::arguments(&selection, given, other, matches, &mut notes)?;
@@ -129,7 +130,7 @@ fn writable(path: &str) -> Result<(), Problem> {
 }
 
 fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer: &Answer<C>) -> Result<bool, Problem> {
-    let Some(path) = select::text_of(matches, "output") else {
+    let Some(path) = flags::text_of(matches, "output") else {
         print(render(matches, arguments, answer)?.as_bytes())?;
         return Ok(answer.holds.unwrap_or(true));
     };

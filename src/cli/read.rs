@@ -3,8 +3,9 @@
 use clap::ArgMatches;
 
 use super::diagnostic::Problem;
+use super::flags::{is_given, text_of};
 use super::given::{Given, frame_of};
-use super::select::{Selection, is_given, text_of};
+use super::select::Selection;
 use super::source::Source;
 use crate::affine::Frame;
 use crate::ops::{Kind, Operation, Parameter, Run};

@@ -4,6 +4,7 @@ use clap::ArgMatches;
 
 use super::command::parameters;
 use super::diagnostic::Problem;
+use super::flags::{is_given, text_of};
 use super::given::{Given, domain_of, frame_of};
 use crate::affine::Frame;
 use crate::ops::{Operation, Parameter};
@@ -17,15 +18,6 @@ pub(super) struct Selection {
     pub(super) operation: &'static Operation,
     pub(super) domain: Domain,
     pub(super) chose_reading: bool,
-}
-
-pub(super) fn is_given(matches: &ArgMatches, flag: &str) -> bool {
-    matches!(matches.try_contains_id(flag), Ok(true)) && matches.value_source(flag) == Some(clap::parser::ValueSource::CommandLine)
-}
-
-/// The text of a flag.
-pub(super) fn text_of<'m>(matches: &'m ArgMatches, flag: &str) -> Option<&'m String> {
-    matches.try_get_one::<String>(flag).ok().flatten()
 }
 
 pub(super) fn select(

@@ -1,9 +1,9 @@
 //! The shapes of a command line as arguments of an operation.
 
 use super::diagnostic::Problem;
+use super::flags::{is_given, text_of};
 use super::given::Given;
 use super::read::{FIRST, Names, Reader};
-use super::select::{is_given, text_of};
 use super::value::counts;
 use super::variables;
 use crate::curve::Curve;
