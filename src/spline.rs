@@ -41,13 +41,17 @@ pub struct KnotJoin {
 }
 
 impl Spline {
+    /// The most work, in steps on machine words, for all the pieces of a spline.
+    pub const MAX_STEPS: u64 = 1 << 30;
+
     /// The spline with these knots and de Boor points.
     ///
     /// # Errors
     /// [`Error::WrongCount`] unless there are `m + 1` more knots than points;
     /// [`Error::WrongShape`] for fewer than `m + 1` points, points of different
     /// dimensions, knots that fall, one that is listed more than `m + 1` times,
-    /// or no interval between the knots `u_m` and `u_n`.
+    /// or no interval between the knots `u_m` and `u_n`; [`Error::TooLarge`]
+    /// where the pieces take more than [`Spline::MAX_STEPS`].
     pub fn new(degree: usize, knots: Vec<Rational>, points: Vec<Vec<Rational>>) -> Result<Self, Error> {
         let dimension = points.first().map_or(0, Vec::len);
         if points.len() <= degree || dimension == 0 || points.iter().any(|point| point.len() != dimension) {
@@ -65,16 +69,30 @@ impl Spline {
         }
         if let Some(window) = knots.windows(degree + 2).find(|window| window[0] == window[degree + 1]) {
             return Err(Error::WrongShape(format!(
-                "the knot {} is listed more than {} times, which no spline of degree {degree} has",
+                "the knot {} is listed {} times, which no spline of degree {degree} has",
                 window[0],
-                degree + 1
+                knots.iter().filter(|knot| **knot == window[0]).count()
             )));
         }
         let spline = Self { degree, knots, points };
         if spline.intervals().next().is_none() {
             return Err(Error::WrongShape("there is no interval between the knots u_m and u_n".into()));
         }
+        if spline.steps() > Self::MAX_STEPS {
+            return Err(Error::TooLarge { what: "work for the pieces of a spline, counted in steps,", limit: Self::MAX_STEPS as usize });
+        }
         Ok(spline)
+    }
+
+    /// What the pieces cost: for each of their points the algorithm of de Boor,
+    /// whose numbers lengthen by those of the knots at each of its `m` levels;
+    /// lowest terms make a step quadratic in the length.
+    fn steps(&self) -> u64 {
+        let longest = |numbers: &mut dyn Iterator<Item = &Rational>| numbers.map(Rational::bits).max().unwrap_or(0);
+        let bits = longest(&mut self.points.iter().flatten()) + 4 * self.degree as u64 * longest(&mut self.knots.iter());
+        let (levels, dimension) = (self.degree as u64 + 1, self.points[0].len() as u64);
+        let words = bits / 64 + 16;
+        [levels, levels, levels, dimension, words, words].into_iter().fold(self.intervals().count() as u64, u64::saturating_mul)
     }
 
     /// The degree `m`.

@@ -2,8 +2,8 @@
 //! the joint, curves in changed parameters, splines with known knots.
 
 use casteljau::{
-    Continuity, Curve, Extension, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, RectangularPatch, Segment, Spline,
-    Surface, Term, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
+    Continuity, Curve, Error, Extension, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, RectangularPatch, Segment,
+    Spline, Surface, Term, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
     continuity_of_surfaces, extend, geometric_join, join_conditions, tangent_plane_join,
 };
 use proptest::prelude::*;
@@ -234,4 +234,14 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn the_work_of_a_spline_is_bounded_by_its_pieces_not_by_its_number_of_points() {
+    let spline = |degree: usize, points: usize, step: i64| {
+        let knots = (0..=points + degree).map(|i| Rational::from(i as i64 * step)).collect();
+        Spline::new(degree, knots, vec![vec![Rational::from(1)]; points])
+    };
+    assert_eq!(spline(3, 2000, 1 << 20).and_then(|spline| spline.pieces()).map(|pieces| pieces.len()), Ok(1997));
+    assert!(matches!(spline(100, 140, 1 << 20), Err(Error::TooLarge { .. })));
 }

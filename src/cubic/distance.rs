@@ -16,6 +16,8 @@ pub struct ClassChange {
     pub coordinate: usize,
     /// What is added to it.
     pub by: Surd,
+    /// Whether the coordinate grows; what tells a direction apart where `by` is zero.
+    pub grows: bool,
     /// The class that is reached.
     pub class: CubicClass,
     /// Whether this very move reaches it; else every move that is a little longer does.
@@ -155,9 +157,9 @@ impl Cubic {
             let weights = [0, 1, 2, 3].map(|power| if power <= degree { influence.vector(power)[0].clone() } else { Rational::zero() });
             for coordinate in 0..2 {
                 let moved = Moved::new(&cubic, coordinate, &weights);
-                for (by, new, reached) in first_changes(&moved, class) {
+                for (grows, (by, new, reached)) in first_changes(&moved, class) {
                     if best.as_ref().is_none_or(|best| (by.abs(), !reached) < (best.by.abs(), !best.reached)) {
-                        best = Some(ClassChange { point, coordinate, by, class: new, reached });
+                        best = Some(ClassChange { point, coordinate, by, grows, class: new, reached });
                     }
                 }
             }
@@ -167,7 +169,7 @@ impl Cubic {
 }
 
 /// The first change of the class in either direction.
-fn first_changes(moved: &Moved, class: CubicClass) -> Vec<(Surd, CubicClass, bool)> {
+fn first_changes(moved: &Moved, class: CubicClass) -> Vec<(bool, (Surd, CubicClass, bool))> {
     let critical = moved.critical();
     let mut found = Vec::new();
     for direction in [1i64, -1] {
@@ -180,7 +182,7 @@ fn first_changes(moved: &Moved, class: CubicClass) -> Vec<(Surd, CubicClass, boo
         for (index, stop) in stops.iter().enumerate() {
             let at = moved.class(&along(stop));
             if at != class {
-                found.push((along(stop), at, true));
+                found.push((direction > 0, (along(stop), at, true)));
                 break;
             }
             let beyond = match stops.get(index + 1) {
@@ -189,7 +191,7 @@ fn first_changes(moved: &Moved, class: CubicClass) -> Vec<(Surd, CubicClass, boo
             };
             let after = moved.class(&along(&Surd::from(beyond.unwrap_or_default())));
             if after != class {
-                found.push((along(stop), after, false));
+                found.push((direction > 0, (along(stop), after, false)));
                 break;
             }
         }

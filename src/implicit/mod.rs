@@ -47,7 +47,7 @@ impl ImplicitCurve {
     /// The largest true degree of a curve whose equation is computed.
     pub const MAX_DEGREE: usize = 128;
     /// The most work, in multiplications modulo a prime.
-    pub const MAX_STEPS: u64 = 1 << 31;
+    pub const MAX_STEPS: u64 = 1 << 29;
 
     /// The equation of a curve of the plane that is not a point.
     ///

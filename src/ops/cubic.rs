@@ -246,6 +246,7 @@ fn distance_field(distance: &Distance) -> Value {
         ("point", Value::Count(change.point)),
         ("coordinate", Value::Count(change.coordinate)),
         ("by", surd(&change.by)),
+        ("grows", Value::Truth(change.grows)),
         ("class", Value::Word(change.class.name())),
         ("reached", Value::Truth(change.reached)),
     ])

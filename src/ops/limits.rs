@@ -181,6 +181,9 @@ impl Size {
 
 /// Refuses an operation that would take too long or too much memory.
 pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments<C>) -> Result<(), Error> {
+    if matches!(operation.growth, Growth::Counted) {
+        return Ok(());
+    }
     let size = Size::of(arguments);
     let too_large = |what, limit| Err(Error::TooLarge { what, limit });
     if size.degree > MAX_DEGREE as usize {
@@ -192,7 +195,7 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     }
     let one = size.points.saturating_mul(size.dimension);
     let numbers = match operation.growth {
-        Growth::Direct | Growth::Linear => Some(one),
+        Growth::Direct | Growth::Linear | Growth::Counted => Some(one),
         Growth::Basis if arguments.get("index").is_some() => Some(one),
         Growth::Basis => one.checked_mul(size.points),
         Growth::Scheme => one.checked_mul(size.degree + 2).map(|all| all / 2),
@@ -221,7 +224,7 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     let sources = match operation.growth {
         // Control points over a frame are made of all coefficients, whoever asks.
         Growth::Direct if arguments.get("frame").is_none() => 1,
-        Growth::Direct | Growth::Linear | Growth::Doubling => size.degree as u64 + 1,
+        Growth::Direct | Growth::Linear | Growth::Doubling | Growth::Counted => size.degree as u64 + 1,
         Growth::Grid => size.points as u64,
         // Long fractions are reduced one by one, which costs more than making them.
         Growth::Scheme => 16,

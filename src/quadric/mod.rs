@@ -41,6 +41,8 @@ type Bivariate = BTreeMap<(usize, usize), Rational>;
 impl QuadricSurface {
     /// The most terms that the three coordinates may have together.
     pub const MAX_TERMS: usize = 600;
+    /// The most terms times the bits of the longest coefficient.
+    pub const MAX_BITS: usize = 1 << 19;
 
     /// What quadric a surface of space lies in.
     ///
@@ -56,7 +58,8 @@ impl QuadricSurface {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Unsupported`] unless there are three coordinates; [`Error::TooLarge`] beyond [`QuadricSurface::MAX_TERMS`].
+    /// [`Error::Unsupported`] unless there are three coordinates; [`Error::TooLarge`] beyond
+    /// [`QuadricSurface::MAX_TERMS`] or [`QuadricSurface::MAX_BITS`].
     pub fn of(surface: &Surface) -> Result<Self, Error> {
         if surface.dimension() != 3 {
             return Err(Error::Unsupported(format!(
@@ -70,6 +73,10 @@ impl QuadricSurface {
         });
         if x.len() + y.len() + z.len() > Self::MAX_TERMS {
             return Err(Error::TooLarge { what: "number of terms of a surface whose quadric is computed", limit: Self::MAX_TERMS });
+        }
+        let terms = || [&x, &y, &z].into_iter().flat_map(BTreeMap::values);
+        if terms().count() as u64 * terms().map(Rational::bits).max().unwrap_or(0) > Self::MAX_BITS as u64 {
+            return Err(Error::TooLarge { what: "length of a surface whose quadric is computed, counted in bits,", limit: Self::MAX_BITS });
         }
         let one = Bivariate::from([((0, 0), Rational::from(1))]);
         let parts = [one, x, y, z];

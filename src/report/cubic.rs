@@ -314,11 +314,11 @@ impl Sheet<'_> {
         let length = change.by.abs();
         let size = if self.notation.decimals.is_some() { String::new() } else { rough(&length) };
         let line = Entry::new("distance").with(format!("{}{size}", self.surd(&length)));
+        let direction = if change.grows { "grows" } else { "shrinks" };
         line.with_remark(if length.is_zero() {
-            format!("any small move of the {coordinate} of the {point} makes it {}", change.class)
+            format!("{} as soon as the {coordinate} of the {point} {direction}", change.class)
         } else {
             let by = if change.reached { "if" } else { "if more than" };
-            let direction = if change.by.signum() > 0 { "grows" } else { "shrinks" };
             format!("{} {by} the {coordinate} of the {point} {direction} by that", change.class)
         })
     }

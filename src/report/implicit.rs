@@ -60,11 +60,16 @@ fn membership(found: &ImplicitFinding, at: &[Rational], parameters: &Parameters,
         return vec![Entry::new("contains").with(name).with_remark("yes, at every parameter")];
     };
     if list.is_empty() {
-        let isolated = match at {
+        let holds = match at {
             [x, y] => found.implicit.gauge(&[x.clone(), y.clone()]).is_zero(),
             _ => false,
         };
-        let remark = if isolated { "no, although the equation holds: it is an isolated point of it" } else { "no" };
+        // Traced once, every real branch is reached but in isolated points; traced twice, half a branch may be missing.
+        let remark = match (holds, found.implicit.index()) {
+            (false, _) => "no",
+            (true, 1) => "no, although the equation holds: it is an isolated point of it",
+            (true, _) => "no, although the equation holds: no real parameter reaches it",
+        };
         return vec![Entry::new("contains").with(name).with_remark(remark)];
     }
     let letter = printer::symbol(notation.variable, notation.style);

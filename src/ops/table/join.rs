@@ -79,7 +79,7 @@ pub(super) const OPERATIONS: &[Operation] = &[
             required("degree", Kind::Count, "degree", "the degree"),
             optional("insert", Kind::Number, "insert", "also the points with this knot inserted"),
         ],
-        growth: Growth::Scheme,
+        growth: Growth::Counted,
         run: Run::Numeric(join::spline),
     },
     row("join.curve", CURVES, "The order of continuity of two curves at a parameter", &[A, B, PARAMETER], Run::Numeric(join::curves)),

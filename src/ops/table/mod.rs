@@ -124,6 +124,8 @@ pub enum Growth {
     Scheme,
     /// A polynomial for every control point.
     Basis,
+    /// The work is no function of a degree: the type that does it counts it itself.
+    Counted,
     /// Twice as much for a curve at every depth, four times as much for a patch.
     Doubling,
     /// The points of a grid with twice as many steps at every depth.
