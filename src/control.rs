@@ -139,6 +139,24 @@ impl<C: Coefficient> ControlNet<C> {
         Self { shape, coordinates: C::compute(&task, &self.coordinates, &parameters, &[layout]) }
     }
 
+    /// The derivative in a direction of one factor: the degree times the net
+    /// that is left when that vector is taken in. A net of degree 0 asks for no vector.
+    ///
+    /// # Errors
+    /// Those of the direction.
+    pub(crate) fn derivative(&self, factor: usize, direction: impl FnOnce() -> Result<Weights<C>, Error>) -> Result<Self, Error> {
+        let degree = self.shape.factors[factor].degree;
+        if degree == 0 {
+            return Ok(Self { shape: self.shape.clone(), coordinates: vec![C::nothing(); self.coordinates.len()] });
+        }
+        let mut arguments = vec![Vec::new(); self.shape.factors.len()];
+        arguments[factor].push(direction()?);
+        let mut net = self.polar_value(&arguments);
+        let degree = C::from(Rational::from(degree as i64));
+        net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&degree));
+        Ok(net)
+    }
+
     /// All steps of de Casteljau's algorithm in one factor: a net with the
     /// argument as one more vertex, vertex 1.
     pub(crate) fn scheme(&self, factor: usize, argument: &Weights<C>) -> Self {

@@ -392,15 +392,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn partial(&self, axis: Axis) -> Result<Self, Error> {
-        let degree = self.net.shape.factors[axis.factor()].degree;
-        let factor = C::from(Rational::from(degree as i64));
-        let mut net = if degree == 0 {
-            self.net.clone()
-        } else {
-            let direction = vec![self.interval(axis).weights(&Parameter::direction())?];
-            self.net.polar_value(&if axis == Axis::U { [direction, Vec::new()] } else { [Vec::new(), direction] })
-        };
-        net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&factor));
+        let net = self.net.derivative(axis.factor(), || self.interval(axis).weights(&Parameter::direction()))?;
         Ok(Self { net, frame: self.frame.clone() })
     }
 

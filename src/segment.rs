@@ -289,14 +289,7 @@ impl<C: Coefficient> Segment<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn derivative(&self) -> Result<Self, Error> {
-        let degree = self.degree();
-        let mut net = ControlNet { shape: Shape::curve(0, self.dimension()), coordinates: vec![C::nothing(); self.dimension()] };
-        if degree > 0 {
-            // One argument is the direction.
-            net = self.net.polar_value(&[vec![self.frame.weights(&Parameter::direction())?]]);
-            let factor = C::from(Rational::from(degree as i64));
-            net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&factor));
-        }
+        let net = self.net.derivative(0, || self.frame.weights(&Parameter::direction()))?;
         Ok(Self { net, frame: self.frame.clone() })
     }
 

@@ -370,14 +370,7 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the area of the frame is symbolic.
     pub fn derivative(&self, direction: &[C; 2]) -> Result<Self, Error> {
-        if self.degree() == 0 {
-            let coordinates = vec![C::nothing(); self.dimension()];
-            return Ok(Self { net: ControlNet { shape: Shape::triangle(0, self.dimension()), coordinates }, frame: self.frame.clone() });
-        }
-        let weights = self.frame.weights(&PlaneParameter::vector(direction.clone()))?;
-        let mut net = self.net.polar_value(&[vec![weights]]);
-        let factor = C::from(Rational::from(self.degree() as i64));
-        net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&factor));
+        let net = self.net.derivative(0, || self.frame.weights(&PlaneParameter::vector(direction.clone())))?;
         Ok(Self { net, frame: self.frame.clone() })
     }
 

@@ -181,11 +181,30 @@ impl Size {
 
 /// Refuses an operation that would take too long or too much memory.
 pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments<C>) -> Result<(), Error> {
-    if matches!(operation.growth, Growth::Counted) {
-        return Ok(());
-    }
     let size = Size::of(arguments);
     let too_large = |what, limit| Err(Error::TooLarge { what, limit });
+    let one = size.points.saturating_mul(size.dimension);
+    let each = (size.degree as u64).saturating_add(1);
+    // How many numbers there are in the answer, and how many each of them is made from.
+    let (numbers, sources) = match operation.growth {
+        Growth::Counted => return Ok(()),
+        // Control points over a frame are made of all coefficients, whoever asks.
+        Growth::Direct if arguments.get("frame").is_none() => (Some(one), 1),
+        Growth::Direct | Growth::Linear => (Some(one), each),
+        Growth::Basis if arguments.get("index").is_some() => (Some(one), each.saturating_mul(2)),
+        Growth::Basis => (one.checked_mul(size.points), each.saturating_mul(2)),
+        // Long fractions are reduced one by one, which costs more than making them.
+        Growth::Scheme => (one.checked_mul(size.degree.saturating_add(2)).map(|all| all / 2), 16),
+        Growth::Grid => {
+            let side = u32::try_from(size.depth).ok().and_then(|depth| 2usize.checked_pow(depth)?.checked_add(1));
+            (side.and_then(|side| side.checked_mul(side)?.checked_mul(size.dimension.max(3))), size.points as u64)
+        }
+        Growth::Doubling => {
+            let parts: usize = if arguments.domain() == Domain::Curve { 2 } else { 4 };
+            let pieces = u32::try_from(size.depth).ok().and_then(|depth| parts.checked_pow(depth));
+            (pieces.and_then(|pieces| pieces.checked_mul(one)), each)
+        }
+    };
     if size.degree > MAX_DEGREE as usize {
         return too_large("degree", MAX_DEGREE as usize);
     }
@@ -193,21 +212,6 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     if is_symbolic && size.degree > MAX_SYMBOLIC_DEGREE {
         return too_large("degree with symbolic parameters", MAX_SYMBOLIC_DEGREE);
     }
-    let one = size.points.saturating_mul(size.dimension);
-    let numbers = match operation.growth {
-        Growth::Direct | Growth::Linear | Growth::Counted => Some(one),
-        Growth::Basis if arguments.get("index").is_some() => Some(one),
-        Growth::Basis => one.checked_mul(size.points),
-        Growth::Scheme => one.checked_mul(size.degree + 2).map(|all| all / 2),
-        Growth::Grid => u32::try_from(size.depth).ok().and_then(|depth| {
-            let side = 2usize.checked_pow(depth)?.checked_add(1)?;
-            side.checked_mul(side)?.checked_mul(size.dimension.max(3))
-        }),
-        Growth::Doubling => {
-            let parts: usize = if arguments.domain() == Domain::Curve { 2 } else { 4 };
-            u32::try_from(size.depth).ok().and_then(|depth| parts.checked_pow(depth)).and_then(|pieces| pieces.checked_mul(one))
-        }
-    };
     let Some(numbers) = numbers.filter(|&numbers| numbers <= MAX_NUMBERS) else {
         return too_large("answer, counted in numbers,", MAX_NUMBERS);
     };
@@ -220,16 +224,6 @@ pub(super) fn check<C: Coefficient>(operation: &Operation, arguments: &Arguments
     if is_symbolic && size.terms().saturating_mul(numbers as u64) > MAX_TERMS {
         return too_large("answer, counted in terms with symbolic parameters,", MAX_TERMS as usize);
     }
-    // How many numbers each one of the answer is made from.
-    let sources = match operation.growth {
-        // Control points over a frame are made of all coefficients, whoever asks.
-        Growth::Direct if arguments.get("frame").is_none() => 1,
-        Growth::Direct | Growth::Linear | Growth::Doubling | Growth::Counted => size.degree as u64 + 1,
-        Growth::Grid => size.points as u64,
-        // Long fractions are reduced one by one, which costs more than making them.
-        Growth::Scheme => 16,
-        Growth::Basis => 2 * (size.degree as u64 + 1),
-    };
     let steps = (numbers as u64).saturating_mul(sources).saturating_mul(bits / 64 + OVERHEAD);
     // Lowest terms over a long common denominator take a quadratic gcd each.
     let gcds = (numbers as u64).saturating_mul((common / 64).saturating_mul(common / 64));
