@@ -1,9 +1,81 @@
-//! Shapes in files and requests: JSON whose numbers are read digit by digit.
+//! Shapes in files and requests, exactly as they are written: numbers are read
+//! digit by digit and never seen as floats.
 
+mod decimals;
+mod format;
 mod json;
+mod place;
 mod shape;
 
+use crate::piece::Piece;
+
+pub use decimals::Decimals;
+pub use format::Format;
 pub use json::{Fault, Fields, number, numbers, points, rows};
 pub(crate) use json::{count, depth, excerpt, list, plain};
+pub use place::{Flaw, Place};
 pub use shape::{ShapeFile, read_shape};
 pub(crate) use shape::{frame, place, weights};
+
+/// The pieces of a file, and how they hang together.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// The format it was read as.
+    pub format: Format,
+    /// The pieces, in the order of the file.
+    pub parts: Vec<Part>,
+    /// The joints that the file itself states: where one curve goes on as
+    /// another in an outline or a spline. In the order of the file.
+    pub joints: Vec<Follow>,
+    /// Whether pieces that no stated joint connects can meet all the same:
+    /// patches and separate curves do, contours of an outline do not.
+    pub meets_by_position: bool,
+    /// The most digits behind the dot of any coordinate: the last printed digit
+    /// is worth `10^-decimals`. Fractions such as `1/3` are exact and do not count.
+    pub decimals: u32,
+    /// What was passed over, such as arcs.
+    pub omissions: Vec<Omission>,
+}
+
+/// A piece of a model.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// The piece; its points have the weight as an additional last coordinate if
+    /// it is rational.
+    pub piece: Piece,
+    /// Whether it is rational.
+    pub rational: bool,
+    /// Whether the file says what its frame is.
+    pub has_frame: bool,
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Where it begins in the file.
+    pub place: Place,
+}
+
+/// A joint that a file states: the end of one curve is the start of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Follow {
+    /// The index of the part that ends here.
+    pub first: usize,
+    /// The index of the part that starts here.
+    pub second: usize,
+    /// The index of the contour (of the spline) in the file.
+    pub contour: usize,
+    /// The index of the point among all points of its contour, control points
+    /// included; of a spline, of the knot among its distinct inner knots.
+    pub node: usize,
+    /// Where the point is in the file.
+    pub place: Place,
+    /// Whether the file promises that the joint is smooth.
+    pub smooth: bool,
+}
+
+/// Something in a file that holds no piece.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Omission {
+    /// Where it begins.
+    pub place: Place,
+    /// What it is and why it is passed over: "an arc is not a Bézier curve".
+    pub what: &'static str,
+}
