@@ -6,6 +6,7 @@
 use std::fmt::Write as _;
 
 use super::bezier::{Point, place};
+use crate::report::xml::escape;
 
 /// The letters of every text, with what to use where a font is missing.
 const FONTS: &str = "'STIX Two Text','Libertinus Serif',Charter,Georgia,'DejaVu Serif',serif";
@@ -18,11 +19,6 @@ pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".into() } else { text.into() }
-}
-
-/// Text with the characters that mean something in XML replaced.
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// How a line is drawn.

@@ -1,22 +1,35 @@
-//! Answers as text, LaTeX, Mathematica lists and JSON.
+//! Answers as text, LaTeX, Mathematica lists and JSON; what checkers found, as other programs read it.
 
 mod cubic;
 mod decimal;
 mod entry;
 mod finding;
 mod formula;
+#[cfg(feature = "cli")]
+pub mod github;
 mod implicit;
 #[cfg(feature = "cli")]
 pub mod json;
+#[cfg(feature = "cli")]
+pub mod junit;
+#[cfg(feature = "cli")]
+mod location;
 mod mathematica;
+#[cfg(feature = "cli")]
+mod notice;
+#[cfg(feature = "cli")]
+pub mod sarif;
 mod sheet;
 #[cfg(feature = "cli")]
 pub mod stream;
 mod surd;
 mod text;
+pub(crate) mod xml;
 
 pub use decimal::decimal;
 pub use formula::Notation;
 pub use mathematica::mathematica;
+#[cfg(feature = "cli")]
+pub use notice::{Level, Notice, Obstacle, Report, Rule};
 pub use sheet::latex;
 pub use text::text;
