@@ -34,6 +34,7 @@
 //! | `main`, `cli`, `batch` | adaptors: arguments, files, exit status; requests a line |
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
+//! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
 //! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic` | the nouns |
@@ -49,6 +50,8 @@
 
 mod affine;
 mod algebraic;
+#[cfg(feature = "cli")]
+pub mod audit;
 #[cfg(feature = "cli")]
 pub mod batch;
 mod bernstein;
@@ -82,6 +85,7 @@ pub mod report;
 mod roots;
 mod scheme;
 mod segment;
+mod side;
 mod spline;
 mod surface;
 mod symbolic;
@@ -124,6 +128,7 @@ pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, 
 pub use roots::{RealRoots, Root, RootPlace};
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
+pub use side::{Arrangement, Side};
 pub use spline::{KnotJoin, Spline};
 pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};

@@ -1,0 +1,335 @@
+//! One join: the orders it has, how far it is from a higher one, and the verdict.
+
+use num_bigint::{BigInt, BigUint};
+use num_traits::{Signed, Zero};
+
+use super::angle;
+use super::field::{Fields, fields};
+use super::lattice::{Lattice, Points, View, Visitor};
+use super::mates::Mate;
+use super::offset::{Columns, is_explained_by_rounding, least_move};
+use super::order;
+use super::pair::Pair;
+use super::requirement::Requirement;
+use super::tangent::{AnglePolynomials, Contact, Tangency, of_curves, of_patches};
+use super::tolerance::Tolerance;
+use crate::continuity::Continuity;
+use crate::exact::Rational;
+use crate::model::Model;
+use crate::side::{Arrangement, Side};
+
+/// What is said of a join that was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    /// It has the required order, exactly.
+    Exact,
+    /// It has the order up to the tolerance that was stated.
+    Within,
+    /// It does not have the order.
+    Violated,
+    /// There is no tangent or tangent plane that could agree.
+    Degenerate,
+    /// Nothing was required.
+    Reported,
+}
+
+impl Verdict {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Exact, Self::Within, Self::Violated, Self::Degenerate, Self::Reported];
+
+    /// The word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Within => "within",
+            Self::Violated => "violated",
+            Self::Degenerate => "degenerate",
+            Self::Reported => "reported",
+        }
+    }
+}
+
+/// Whether points within half a unit of the last printed digit are smooth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rounding {
+    /// Some are.
+    Yes,
+    /// None are.
+    No,
+    /// Not decided for this kind of join.
+    Unknown,
+}
+
+impl Rounding {
+    /// The word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Yes => "yes",
+            Self::No => "no",
+            Self::Unknown => "unknown",
+        }
+    }
+}
+
+/// A join of a model and what was found of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Join {
+    /// The part and its side with the smaller index.
+    pub first: (usize, Side),
+    /// The other part and its side.
+    pub second: (usize, Side),
+    /// Whether the two sides run in opposite directions.
+    pub reversed: bool,
+    /// The index of the joint that the file states, in an outline or a spline.
+    pub stated: Option<usize>,
+    /// The order of parametric continuity.
+    pub parametric: Continuity,
+    /// The order of geometric continuity, at most 3 for curves and 1 for patches;
+    /// none if the points differ.
+    pub geometric: Option<usize>,
+    /// What the tangents or tangent planes have in common.
+    pub contact: Contact,
+    /// The constant ratio of the second cross-boundary difference to the first.
+    pub ratio: Option<Rational>,
+    /// A lower and an upper bound of the largest squared sine of the angle.
+    pub sin2: Option<[Rational; 2]>,
+    /// Whether the angle is a right one or larger somewhere.
+    pub obtuse: bool,
+    /// The least squared move of the control points behind one side that makes
+    /// the tangents run on.
+    pub offset2: Option<Rational>,
+    /// Whether rounding explains what is missing.
+    pub rounding: Rounding,
+    /// What was required of it.
+    pub requirement: Option<Requirement>,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The joint itself: the control points of the first part there, without weights.
+    pub points: Vec<Vec<Rational>>,
+    /// The differences behind the joint, first into the first part, then into the
+    /// second; in the scale of the file.
+    pub handles: [Vec<Vec<Rational>>; 2],
+}
+
+/// How joins are judged.
+#[derive(Clone, Debug, Default)]
+pub struct Terms {
+    /// What every join must have; a promise in the file holds without it.
+    pub require: Option<Requirement>,
+    /// What it may be off by.
+    pub tolerance: Tolerance,
+}
+
+/// The judge of one pair of sides.
+pub(super) struct Judge<'a> {
+    pub(super) model: &'a Model,
+    pub(super) lattice: &'a Lattice,
+    /// Half a unit of the last printed digit, times the scale of the lattice.
+    pub(super) half: &'a Rational,
+    pub(super) terms: &'a Terms,
+    pub(super) mate: &'a Mate,
+}
+
+impl Visitor for Judge<'_> {
+    type Output = Join;
+
+    fn visit<P: Points + ?Sized>(&self, points: &P) -> Join {
+        let Mate { first, second, reversed, shares_domain, stated } = *self.mate;
+        let parts = &self.model.parts;
+        let (part_a, part_b) = (&parts[first.0], &parts[second.0]);
+        let a = self.lattice.view(points, first.0, first.1, false);
+        let b = self.lattice.view(points, second.0, second.1, reversed && !is_end(first.1));
+        let rational = part_a.rational || part_b.rational;
+        let pair = Pair { parts, mate: self.mate };
+        let both_rectangles = matches!((a.arrangement(), b.arrangement()), (Arrangement::Rectangle(..), Arrangement::Rectangle(..)));
+        let parametric =
+            if !shares_domain && !rational && (is_end(first.1) || both_rectangles) { order::order(&a, &b) } else { pair.parametric() };
+        let in_space = |view: &View<'_, P>, rational: bool| view.dimension() - usize::from(rational);
+        let tangency = if in_space(&a, part_a.rational) == in_space(&b, part_b.rational) {
+            let (of_a, of_b) = (fields(&a, part_a.rational), fields(&b, part_b.rational));
+            self.tangency(of_a, of_b, &pair)
+        } else {
+            Tangency { contact: Contact::NotAsked, ratio: None, sin2: None, obtuse: false }
+        };
+        let met = parametric > Continuity::Broken;
+        let geometric = met.then(|| match tangency.contact {
+            Contact::Smooth if is_end(first.1) => pair.geometric_curves().unwrap_or(1).max(1),
+            Contact::Smooth => 1,
+            Contact::NotAsked => usize::from(parametric >= Continuity::C(1)),
+            _ => 0,
+        });
+        let requirement = self.terms.require.or_else(|| stated.filter(|&index| self.model.joints[index].smooth).map(|_| Requirement::G1));
+        let handles = if rational { None } else { handles(&a, &b) };
+        let smooth = met && tangency.contact == Contact::Smooth;
+        let offset2 = match (&handles, smooth) {
+            (_, true) => Some(Rational::from(0)),
+            (Some([a, b]), false) if !tangency.contact.is_degenerate() => least_move(a, b, &self.lattice.scale),
+            _ => None,
+        };
+        let mut join = Join {
+            first,
+            second,
+            reversed,
+            stated,
+            parametric,
+            geometric,
+            contact: tangency.contact,
+            ratio: tangency.ratio,
+            sin2: tangency.sin2,
+            obtuse: tangency.obtuse,
+            offset2,
+            rounding: Rounding::Unknown,
+            requirement,
+            verdict: Verdict::Reported,
+            points: (0..a.columns(0)).map(|column| scaled(a.point(0, column), &self.lattice.scale)).collect(),
+            handles: handles.as_ref().map_or_else(Default::default, |handles| {
+                handles.each_ref().map(|columns| columns.iter().map(|column| scaled(column.clone(), &self.lattice.scale)).collect())
+            }),
+        };
+        let required = requirement.unwrap_or(Requirement::G1);
+        join.rounding = self.rounding(&join, required, handles.as_ref(), &pair);
+        if let Some(requirement) = requirement {
+            join.verdict = self.verdict(&join, requirement, &pair, || {
+                let of_a = fields(&a, part_a.rational);
+                let of_b = fields(&b, part_b.rational);
+                let along = of_a.along.as_ref()?;
+                let AnglePolynomials(polynomials) = AnglePolynomials::of(along, &of_a.into, &of_b.into);
+                Some(polynomials.map(|series| series.into_iter().map(Into::into).collect()))
+            });
+        }
+        join
+    }
+}
+
+fn is_end(side: Side) -> bool {
+    matches!(side, Side::End | Side::Start)
+}
+
+fn scaled<W: Into<BigInt>>(numbers: Vec<W>, scale: &BigUint) -> Vec<Rational> {
+    numbers.into_iter().map(|number| Rational::from_big(number.into(), scale.clone().into())).collect()
+}
+
+/// The differences behind a joint, column by column; none where the pieces have
+/// different numbers of them.
+fn handles<P: Points + ?Sized>(a: &View<'_, P>, b: &View<'_, P>) -> Option<[Columns; 2]> {
+    if a.degree_across() == 0 || b.degree_across() == 0 || a.dimension() != b.dimension() || a.columns(1) != b.columns(1) {
+        return None;
+    }
+    let columns = |view: &View<'_, P>| -> Columns {
+        let entry = |column: usize, axis: usize| -> BigInt {
+            let (to, from): (BigInt, BigInt) = (view.get(1, column, axis).into(), view.get(0, column, axis).into());
+            to - from
+        };
+        (0..view.columns(1)).map(|column| (0..view.dimension()).map(|axis| entry(column, axis)).collect()).collect()
+    };
+    Some([columns(a), columns(b)])
+}
+
+impl Judge<'_> {
+    fn tangency<W: super::lattice::Whole>(&self, a: Fields<W>, b: Fields<W>, pair: &Pair<'_>) -> Tangency {
+        let Mate { first, second, .. } = self.mate;
+        let parts = &self.model.parts;
+        let mut tangency = match a.along {
+            None => of_curves(&a.into, &b.into),
+            Some(along) => {
+                let is_triangle = |index: usize| matches!(Arrangement::of(&parts[index].piece), Arrangement::Triangle(_));
+                of_patches(&along, &a.into, &b.into, is_triangle(first.0) || is_triangle(second.0))
+            }
+        };
+        // Homogeneous differences are weighted, and their weights may differ by a factor.
+        if let (Some(ratio), Some(factor)) = (&tangency.ratio, pair.weight_ratio()) {
+            tangency.ratio = Some(ratio / factor.pow(2));
+        }
+        tangency
+    }
+
+    fn rounding(&self, join: &Join, requirement: Requirement, handles: Option<&[Columns; 2]>, pair: &Pair<'_>) -> Rounding {
+        if is_met(join, requirement) {
+            return Rounding::Yes;
+        }
+        let Some([a, b]) = handles else { return Rounding::Unknown };
+        let is_curve = is_end(join.first.1);
+        let patches = !is_curve && !pair.are_rectangles();
+        if requirement.order() != 1 || patches || join.contact.is_degenerate() || join.parametric == Continuity::Broken {
+            return Rounding::Unknown;
+        }
+        let lambda = if requirement.is_geometric() { None } else { pair.parametric_ratio() };
+        let explained = is_explained_by_rounding(a, b, self.half, !is_curve, lambda.as_ref());
+        match (explained, is_curve || !requirement.is_geometric()) {
+            (true, _) => Rounding::Yes,
+            (false, true) => Rounding::No,
+            // Patches may also be smooth with a ratio that varies.
+            (false, false) => Rounding::Unknown,
+        }
+    }
+
+    fn verdict(
+        &self,
+        join: &Join,
+        requirement: Requirement,
+        pair: &Pair<'_>,
+        polynomials: impl FnOnce() -> Option<[Vec<BigInt>; 4]>,
+    ) -> Verdict {
+        if is_met(join, requirement) {
+            return Verdict::Exact;
+        }
+        if requirement.order() > 0 && join.contact.is_degenerate() {
+            return Verdict::Degenerate;
+        }
+        let tolerance = &self.terms.tolerance;
+        if tolerance.accepts_rounding() && join.rounding == Rounding::Yes {
+            return Verdict::Within;
+        }
+        // Ends that were matched up to the snap are where they were accepted to be.
+        let snapped = join.parametric == Continuity::Broken && join.stated.is_none() && !self.mate.shares_domain;
+        if requirement == Requirement::C0 {
+            return if snapped { Verdict::Within } else { Verdict::Violated };
+        }
+        let angle = tolerance.sin2().map(|bound| self.is_angle_within(join, bound, polynomials));
+        let moved = tolerance.unit().map(|unit| {
+            let allowed = unit.pow(2);
+            let move2 = if requirement.is_geometric() { join.offset2.clone() } else { pair.least_move(requirement.order()) };
+            move2.is_some_and(|move2| move2 <= allowed)
+        });
+        let meets = match requirement {
+            // An angle says nothing of lengths.
+            Requirement::C1 | Requirement::C2 => moved == Some(true) && angle != Some(false),
+            Requirement::G1 => (angle.is_some() || moved.is_some()) && angle != Some(false) && moved != Some(false),
+            Requirement::C0 | Requirement::G2 => false,
+        };
+        let only_snapped = snapped && requirement == Requirement::G1 && join.contact == Contact::Smooth;
+        let apart = join.parametric == Continuity::Broken && !snapped;
+        if (meets || only_snapped) && !apart { Verdict::Within } else { Verdict::Violated }
+    }
+
+    /// Whether the angle is at most the one that was stated, decided exactly.
+    fn is_angle_within(&self, join: &Join, bound: &Rational, polynomials: impl FnOnce() -> Option<[Vec<BigInt>; 4]>) -> bool {
+        let Some([low, high]) = &join.sin2 else { return false };
+        if join.obtuse || low > bound {
+            return false;
+        }
+        if high <= bound {
+            return true;
+        }
+        polynomials().is_some_and(|polynomials| angle::is_within(bound, polynomials.each_ref()))
+    }
+}
+
+/// Whether a join has an order exactly.
+fn is_met(join: &Join, requirement: Requirement) -> bool {
+    if requirement.is_geometric() {
+        join.geometric.is_some_and(|order| order >= requirement.order())
+    } else {
+        join.parametric >= Continuity::C(requirement.order())
+    }
+}
+
+/// Half a unit of the last printed digit, on a lattice.
+pub(super) fn half_unit(decimals: u32, scale: &BigUint) -> Rational {
+    let unit = BigInt::from(10u32).pow(decimals.min(u32::from(u16::MAX)));
+    let half = Rational::from_big(BigInt::from(scale.clone()), unit * 2);
+    debug_assert!(half.is_positive() && !half.is_zero());
+    half
+}

@@ -1,0 +1,364 @@
+//! Which sides of which pieces meet.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use num_bigint::BigInt;
+
+use super::domain;
+use crate::affine::Interval;
+use crate::exact::Rational;
+use crate::model::{Model, Part};
+use crate::segment::Segment;
+use crate::side::{Arrangement, Side};
+use crate::weights::projected;
+
+/// A side of a part of a model.
+pub(super) type Place = (usize, Side);
+
+/// Two sides that meet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Mate {
+    pub(super) first: Place,
+    pub(super) second: Place,
+    /// Whether the sides run in opposite directions.
+    pub(super) reversed: bool,
+    /// Whether they share a part of the parameter space, from opposite sides.
+    pub(super) shares_domain: bool,
+    /// The index of the joint that the file states.
+    pub(super) stated: Option<usize>,
+}
+
+/// What was found about the sides of a model.
+#[derive(Debug, Default)]
+pub(super) struct Mates {
+    pub(super) pairs: Vec<Mate>,
+    /// Sides that no other side meets.
+    pub(super) open: usize,
+    /// Edges that are one point.
+    pub(super) collapsed: usize,
+    /// Places where more than two sides meet.
+    pub(super) branches: usize,
+}
+
+/// The control points of a side, without weights, in its direction.
+fn boundary(part: &Part, side: Side) -> Option<Vec<Cow<'_, [Rational]>>> {
+    let arrangement = Arrangement::of(&part.piece);
+    (0..arrangement.columns(side, 0))
+        .map(|column| {
+            let point = part.piece.net().point(arrangement.index(side, 0, column));
+            if part.rational { projected(point).map(Cow::Owned) } else { Some(Cow::Borrowed(point)) }
+        })
+        .collect()
+}
+
+/// The polynomial map of a side in homogeneous coordinates, so that equal curves
+/// of unequal degrees and weights have equal numbers.
+fn canonical(part: &Part, side: Side, reversed: bool) -> Option<Vec<Rational>> {
+    let arrangement = Arrangement::of(&part.piece);
+    let mut points: Vec<Vec<Rational>> = (0..arrangement.columns(side, 0))
+        .map(|column| {
+            let mut point = part.piece.net().point(arrangement.index(side, 0, column)).to_vec();
+            if !part.rational {
+                point.push(Rational::from(1));
+            }
+            point
+        })
+        .collect();
+    if reversed {
+        points.reverse();
+    }
+    let reduced = Segment::from_points(points, Interval::unit()).ok()?.reduce().ok()?.segment;
+    let weight = reduced.point(0).last()?.recip()?;
+    Some(reduced.coordinates().iter().map(|number| number * &weight).collect())
+}
+
+/// A graph over its parameters: one coordinate over a given frame has no place
+/// of its own in space.
+fn is_graph(part: &Part) -> bool {
+    part.has_frame && part.piece.dimension() == 1 + usize::from(part.rational)
+}
+
+/// A side with the numbers of the points that it runs between.
+struct Candidate {
+    place: Place,
+    from: u32,
+    to: u32,
+}
+
+/// The points at the ends of sides, numbered; those nearer than the snap have one number.
+struct Corners<'a> {
+    numbers: HashMap<Cow<'a, [Rational]>, u32>,
+}
+
+impl<'a> Corners<'a> {
+    fn number(&mut self, point: &Cow<'a, [Rational]>) -> u32 {
+        let next = u32::try_from(self.numbers.len()).unwrap_or(u32::MAX);
+        *self.numbers.entry(point.clone()).or_insert(next)
+    }
+
+    /// A new number for every number: the same for points in reach of each other.
+    fn snapped(&self, snap: &Rational) -> Vec<u32> {
+        let mut leader: Vec<u32> = (0..self.numbers.len() as u32).collect();
+        fn find(leader: &mut [u32], mut k: u32) -> u32 {
+            while leader[k as usize] != k {
+                leader[k as usize] = leader[leader[k as usize] as usize];
+                k = leader[k as usize];
+            }
+            k
+        }
+        let mut cells: HashMap<Vec<BigInt>, Vec<(&[Rational], u32)>> = HashMap::new();
+        let mut points: Vec<(&[Rational], u32)> = self.numbers.iter().map(|(point, &number)| (point.as_ref(), number)).collect();
+        points.sort_unstable_by_key(|&(_, number)| number);
+        for (point, number) in points {
+            let cell: Vec<BigInt> = point.iter().map(|x| floor(&(x / snap))).collect();
+            // All cells around, by counting in base three.
+            for code in 0..3usize.pow(u32::try_from(cell.len()).unwrap_or(0).min(8)) {
+                let mut code = code;
+                let neighbour: Vec<BigInt> = cell
+                    .iter()
+                    .map(|index| {
+                        let step = code % 3;
+                        code /= 3;
+                        index + BigInt::from(step as i64 - 1)
+                    })
+                    .collect();
+                for (other, known) in cells.get(&neighbour).into_iter().flatten() {
+                    if is_near(point, other, snap) {
+                        let (a, b) = (find(&mut leader, number), find(&mut leader, *known));
+                        leader[a.max(b) as usize] = a.min(b);
+                    }
+                }
+            }
+            let list = cells.entry(cell).or_default();
+            // Points beside one in the same cell add nothing but work.
+            if list.len() < 64 {
+                list.push((point, number));
+            }
+        }
+        (0..leader.len() as u32).map(|k| find(&mut leader, k)).collect()
+    }
+}
+
+fn floor(number: &Rational) -> BigInt {
+    use num_integer::Integer as _;
+    number.numer().div_floor(&number.denom())
+}
+
+fn is_near(a: &[Rational], b: &[Rational], snap: &Rational) -> bool {
+    let squared: Rational = a.iter().zip(b).map(|(x, y)| (x - y).pow(2)).sum();
+    a.len() == b.len() && squared <= snap.pow(2)
+}
+
+impl Mates {
+    /// Finds them: the stated ones, those that share an edge of the parameter
+    /// space, and those that lie at the same place, up to `snap`.
+    pub(super) fn of(model: &Model, snap: Option<&Rational>) -> Self {
+        let mut mates = Self::default();
+        let mut taken: HashMap<Place, ()> = HashMap::new();
+        for (index, joint) in model.joints.iter().enumerate() {
+            let (first, second) = ((joint.first, Side::End), (joint.second, Side::Start));
+            taken.extend([(first, ()), (second, ())]);
+            let shares_domain = domain::is_shared(&model.parts, first, second, false);
+            mates.push(first, second, false, shares_domain, Some(index));
+        }
+        let mut open = Vec::new();
+        if model.meets_by_position {
+            mates.by_position(model, snap, &taken, &mut open);
+            let open = mates.by_domain(model, open);
+            mates.open = open;
+        } else {
+            let sides = |part: &Part| Arrangement::of(&part.piece).sides().len();
+            mates.open = model.parts.iter().map(sides).sum::<usize>() - taken.len();
+        }
+        mates.pairs.sort_unstable_by_key(|pair| (pair.first, pair.second));
+        mates
+    }
+
+    fn push(&mut self, first: Place, second: Place, reversed: bool, shares_domain: bool, stated: Option<usize>) {
+        let (first, second) = (first.min(second), first.max(second));
+        self.pairs.push(Mate { first, second, reversed, shares_domain, stated });
+    }
+
+    fn by_position(&mut self, model: &Model, snap: Option<&Rational>, taken: &HashMap<Place, ()>, open: &mut Vec<Place>) {
+        let mut corners = Corners { numbers: HashMap::new() };
+        let (mut ends, mut edges) = (Vec::new(), Vec::new());
+        for (index, part) in model.parts.iter().enumerate() {
+            let arrangement = Arrangement::of(&part.piece);
+            for &side in arrangement.sides() {
+                let place = (index, side);
+                if taken.contains_key(&place) {
+                    continue;
+                }
+                let points = if is_graph(part) { None } else { boundary(part, side) };
+                let Some(points) = points.filter(|points| !points.is_empty()) else {
+                    open.push(place);
+                    continue;
+                };
+                let is_edge = !matches!(arrangement, Arrangement::Curve(_));
+                if is_edge && points.iter().all(|point| *point == points[0]) {
+                    self.collapsed += 1;
+                    continue;
+                }
+                let candidate = Candidate { place, from: corners.number(&points[0]), to: corners.number(&points[points.len() - 1]) };
+                if is_edge { edges.push(candidate) } else { ends.push(candidate) }
+            }
+        }
+        if let Some(snap) = snap {
+            let leaders = corners.snapped(snap);
+            for candidate in ends.iter_mut().chain(&mut edges) {
+                (candidate.from, candidate.to) = (leaders[candidate.from as usize], leaders[candidate.to as usize]);
+            }
+        }
+        drop(corners);
+        let between = |candidate: &Candidate| (candidate.from.min(candidate.to), candidate.from.max(candidate.to));
+        ends.sort_by_key(between);
+        for group in ends.chunk_by(|a, b| a.from == b.from) {
+            match group {
+                [one] => open.push(one.place),
+                // Parameters run on from an end to a start; two starts run apart.
+                [one, other] => self.meet(model, one.place, other.place, one.place.1 == other.place.1),
+                _ => self.branches += 1,
+            }
+        }
+        edges.sort_by_key(between);
+        for group in edges.chunk_by(|a, b| between(a) == between(b)) {
+            for class in classes(&model.parts, group, snap) {
+                match class.as_slice() {
+                    [(place, _)] => open.push(*place),
+                    [(first, a), (second, b)] => self.meet(model, *first, *second, a != b),
+                    _ => self.branches += 1,
+                }
+            }
+        }
+    }
+
+    fn meet(&mut self, model: &Model, first: Place, second: Place, reversed: bool) {
+        let shares_domain = domain::is_shared(&model.parts, first, second, reversed);
+        self.push(first, second, reversed, shares_domain, None);
+    }
+
+    /// Sides of frames that meet though their points do not. Gives the number of
+    /// those that are left.
+    fn by_domain(&mut self, model: &Model, open: Vec<Place>) -> usize {
+        let total = open.len();
+        let mut left = 0;
+        let mut groups: HashMap<domain::Key, Vec<Place>> = HashMap::new();
+        for place in open {
+            match domain::key(&model.parts[place.0], place.1) {
+                Some(key) => groups.entry(key).or_default().push(place),
+                None => left += 1,
+            }
+        }
+        for group in groups.into_values() {
+            match group.as_slice() {
+                &[first, second] => {
+                    match [false, true].into_iter().find(|&reversed| domain::is_shared(&model.parts, first, second, reversed)) {
+                        Some(reversed) => self.push(first, second, reversed, true, None),
+                        None => left += 2,
+                    }
+                }
+                others => left += others.len(),
+            }
+        }
+        debug_assert!(left <= total);
+        left
+    }
+}
+
+/// The sides of a group with the same ends that are the same curve, each with
+/// whether it runs against the common direction.
+fn classes(parts: &[Part], group: &[Candidate], snap: Option<&Rational>) -> Vec<Vec<(Place, bool)>> {
+    if group.len() == 1 {
+        return vec![vec![(group[0].place, false)]];
+    }
+    let mut classes: Vec<Vec<(Place, bool)>> = Vec::new();
+    if let ([one, other], None) = (group, snap)
+        && let Some(reversed) = plainly_equal(parts, one.place, other.place)
+    {
+        return match reversed {
+            Some(reversed) => vec![vec![(one.place, false), (other.place, reversed)]],
+            None => vec![vec![(one.place, false)], vec![(other.place, false)]],
+        };
+    }
+    if let Some(snap) = snap {
+        // Few meet at two points; more than that is no surface.
+        for candidate in group {
+            let near = |class: &&mut Vec<(Place, bool)>| {
+                let (place, _) = class[0];
+                [false, true].into_iter().any(|reversed| is_boundary_near(parts, place, candidate.place, reversed, snap))
+            };
+            match classes.iter_mut().take(64).find(near) {
+                None => classes.push(vec![(candidate.place, false)]),
+                Some(class) => {
+                    let straight = is_boundary_near(parts, class[0].0, candidate.place, false, snap);
+                    class.push((candidate.place, !straight));
+                }
+            }
+        }
+        return classes;
+    }
+    let mut known: HashMap<Vec<Rational>, usize> = HashMap::new();
+    for candidate in group {
+        let part = &parts[candidate.place.0];
+        let forward = canonical(part, candidate.place.1, false);
+        let backward = || canonical(part, candidate.place.1, true);
+        let (key, reversed) = match candidate.from.cmp(&candidate.to) {
+            std::cmp::Ordering::Less => (forward, false),
+            std::cmp::Ordering::Greater => (backward(), true),
+            // A closed edge: one of its directions, the same for all.
+            std::cmp::Ordering::Equal => {
+                let backward = backward();
+                if forward <= backward { (forward, false) } else { (backward, true) }
+            }
+        };
+        let Some(key) = key else {
+            classes.push(vec![(candidate.place, false)]);
+            continue;
+        };
+        let index = *known.entry(key).or_insert_with(|| {
+            classes.push(Vec::new());
+            classes.len() - 1
+        });
+        classes[index].push((candidate.place, reversed));
+    }
+    classes
+}
+
+/// Whether two sides without weights and of one degree have the same control
+/// points, in opposite directions or not; nothing is said of others.
+fn plainly_equal(parts: &[Part], first: Place, second: Place) -> Option<Option<bool>> {
+    let (a, b) = (&parts[first.0], &parts[second.0]);
+    let (of_a, of_b) = (Arrangement::of(&a.piece), Arrangement::of(&b.piece));
+    let count = of_a.columns(first.1, 0);
+    if a.rational || b.rational || count != of_b.columns(second.1, 0) {
+        return None;
+    }
+    let agree = |reversed: bool| {
+        (0..count).all(|column| {
+            let other = if reversed { count - 1 - column } else { column };
+            a.piece.net().point(of_a.index(first.1, 0, column)) == b.piece.net().point(of_b.index(second.1, 0, other))
+        })
+    };
+    Some([false, true].into_iter().find(|&reversed| agree(reversed)))
+}
+
+fn is_boundary_near(parts: &[Part], first: Place, second: Place, reversed: bool, snap: &Rational) -> bool {
+    let (Some(a), Some(mut b)) = (boundary(&parts[first.0], first.1), boundary(&parts[second.0], second.1)) else { return false };
+    if reversed {
+        b.reverse();
+    }
+    // Unequal degrees have control points at unequal places: both are raised.
+    let raise = |points: Vec<Cow<'_, [Rational]>>, degree: usize| -> Option<Vec<Vec<Rational>>> {
+        let points: Vec<Vec<Rational>> = points.into_iter().map(Cow::into_owned).collect();
+        if points.len() == degree + 1 {
+            return Some(points);
+        }
+        let by = degree + 1 - points.len();
+        let segment = Segment::from_points(points, Interval::unit()).ok()?.elevate(by);
+        Some(segment.points().map(<[Rational]>::to_vec).collect())
+    };
+    let degree = a.len().max(b.len()) - 1;
+    let (Some(a), Some(b)) = (raise(a, degree), raise(b, degree)) else { return false };
+    a.iter().zip(&b).all(|(a, b)| is_near(a, b, snap))
+}
