@@ -9,6 +9,8 @@ mod formula;
 pub mod github;
 mod implicit;
 #[cfg(feature = "cli")]
+pub mod joins;
+#[cfg(feature = "cli")]
 pub mod json;
 #[cfg(feature = "cli")]
 pub mod junit;

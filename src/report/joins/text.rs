@@ -1,0 +1,192 @@
+//! What was found of joins, to be read.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
+
+use super::rules::rule_of;
+use super::wording::{demand, finding, location, remedy};
+use super::{Examined, File, Summary};
+use crate::audit::{Join, Verdict};
+use crate::continuity::Continuity;
+use crate::exact::Rational;
+use crate::model::Place;
+
+/// How text is written.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Style {
+    /// Whether with colours.
+    pub coloured: bool,
+    /// Whether degenerate joins and what was passed over are listed too.
+    pub verbose: bool,
+}
+
+/// Writes the findings one by one, then what was found of each file without
+/// requirements, then the summary.
+///
+/// # Errors
+/// What writing gives.
+pub fn text(files: &[File], style: Style, out: &mut dyn Write) -> io::Result<()> {
+    let renderer = if style.coloured { Renderer::styled() } else { Renderer::plain() };
+    for file in files {
+        match &file.outcome {
+            Err(flaw) => {
+                let place = flaw.place.map_or_else(String::new, |place| format!(":{place}"));
+                let origin = format!("{}{place}", file.path);
+                let group = Level::ERROR.primary_title(flaw.message.as_str()).element(Origin::path(origin.as_str()));
+                writeln!(out, "{}\n", renderer.render(&[group]))?;
+            }
+            Ok(examined) => {
+                for (_, join) in examined.failures() {
+                    writeln!(out, "{}\n", one(&renderer, file, examined, join))?;
+                }
+                if style.verbose {
+                    for join in examined.audit.joins.iter().filter(|join| join.verdict == Verdict::Degenerate) {
+                        writeln!(out, "{}\n", one(&renderer, file, examined, join))?;
+                    }
+                    for omitted in &examined.model.omissions {
+                        writeln!(out, "note[J020]: {}\n  --> {}:{}\n", omitted.what, file.path, omitted.place)?;
+                    }
+                }
+            }
+        }
+    }
+    for file in files {
+        if let Ok(examined) = &file.outcome {
+            let silent = examined.audit.joins.iter().all(|join| join.verdict == Verdict::Reported);
+            if silent || files.len() == 1 {
+                writeln!(out, "{}: {}", file.path, overview(examined))?;
+            }
+        }
+    }
+    writeln!(out, "{}", summary(files))
+}
+
+/// The line of a text, and the bytes of a character of it.
+fn line(text: &str, place: Place) -> Option<(&str, usize)> {
+    let line = text.lines().nth(place.line as usize - 1)?;
+    let byte = line.char_indices().nth(place.column as usize - 1).map_or(line.len(), |(byte, _)| byte);
+    Some((line, byte))
+}
+
+/// The part of a line around a byte, without characters that move the caret.
+fn window(line: &str, byte: usize) -> (String, usize) {
+    const REACH: usize = 60;
+    let floor = |mut at: usize| {
+        while !line.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    };
+    let (start, end) = (floor(byte.saturating_sub(REACH)), floor((byte + REACH).min(line.len())));
+    let clean = |part: &str| part.chars().map(|c| if c.is_control() { ' ' } else { c }).collect::<String>();
+    let before = if start > 0 { format!("…{}", clean(&line[start..byte])) } else { clean(&line[..byte]).trim_start().to_owned() };
+    let behind = if end < line.len() { format!("{}…", clean(&line[byte..end])) } else { clean(&line[byte..]) };
+    let at = before.len();
+    (before + behind.trim_end(), at)
+}
+
+fn one(renderer: &Renderer, file: &File, examined: &Examined, join: &Join) -> String {
+    let code = rule_of(join).map_or("", |rule| rule.code);
+    let demand = demand(examined, join);
+    let title = if demand.is_empty() { finding(join) } else { format!("{} ({demand})", finding(join)) };
+    let level = if join.verdict == Verdict::Violated { Level::ERROR } else { Level::NOTE };
+    let place = examined.place(join);
+    let location = location(examined, join);
+    let shown =
+        examined.stated(join).and(examined.text.as_deref()).and_then(|text| line(text, place)).map(|(line, byte)| window(line, byte));
+    let group = match &shown {
+        Some((line, byte)) => {
+            let end = line[*byte..].chars().next().map_or(*byte, |letter| byte + letter.len_utf8());
+            let snippet = Snippet::source(line.as_str())
+                .line_start(place.line as usize)
+                .path(file.path.as_str())
+                .annotation(AnnotationKind::Primary.span(*byte..end).label(location.as_str()));
+            level.clone().primary_title(title.as_str()).id(code).element(Element::from(snippet))
+        }
+        None => {
+            let group = level.clone().primary_title(title.as_str()).id(code);
+            group.element(Origin::path(file.path.as_str()).line(place.line as usize).char_column(place.column as usize))
+        }
+    };
+    let mut notes = Vec::new();
+    if shown.is_none() {
+        notes.push(location.clone());
+    }
+    notes.extend(remedy(join));
+    let group = notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())));
+    renderer.render(&[group as Group<'_>])
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// The orders of all joins of a file, and what else there is.
+fn overview(examined: &Examined) -> String {
+    let mut orders: BTreeMap<(usize, String), usize> = BTreeMap::new();
+    let mut ratios: BTreeMap<&Rational, usize> = BTreeMap::new();
+    for join in &examined.audit.joins {
+        // The best order, the strongest first.
+        let key = match (join.parametric, join.geometric) {
+            (Continuity::Same, _) => (0, "of one polynomial map".to_owned()),
+            (Continuity::C(order), _) if order > 0 => (100 - order.min(90), format!("C{order}")),
+            (_, Some(order)) if order > 0 => {
+                if let Some(ratio) = &join.ratio {
+                    *ratios.entry(ratio).or_default() += 1;
+                }
+                (200 - order, format!("G{order}"))
+            }
+            (_, _) if join.contact.is_degenerate() => (300, "degenerate".to_owned()),
+            (Continuity::C(_), _) => (400, "C0".to_owned()),
+            (Continuity::Broken, _) => (500, "broken".to_owned()),
+        };
+        *orders.entry(key).or_default() += 1;
+    }
+    let mut text = counted(examined.model.parts.len(), "piece", "pieces");
+    let _ = write!(text, ", {}", counted(examined.audit.joins.len(), "join", "joins"));
+    if !orders.is_empty() {
+        let list: Vec<String> = orders.iter().map(|((_, name), count)| format!("{count} {name}")).collect();
+        let _ = write!(text, " ({})", list.join(", "));
+    }
+    if !ratios.is_empty() && ratios.len() <= 6 {
+        let list: Vec<String> = ratios.iter().map(|(ratio, count)| format!("{ratio} ({count})")).collect();
+        let _ = write!(text, ", ratios {}", list.join(", "));
+    }
+    let patches = examined.model.parts.iter().any(|part| !matches!(part.piece, crate::piece::Piece::Curve(_)));
+    let open = if patches { ("open edge", "open edges") } else { ("open end", "open ends") };
+    let mut also = |count: usize, one: &str, many: &str| {
+        if count > 0 {
+            let _ = write!(text, ", {}", counted(count, one, many));
+        }
+    };
+    also(examined.audit.open, open.0, open.1);
+    also(examined.audit.collapsed, "collapsed edge", "collapsed edges");
+    also(examined.audit.branches, "branch", "branches");
+    also(examined.model.omissions.len(), "passed over", "passed over");
+    text
+}
+
+/// The last line.
+fn summary(files: &[File]) -> String {
+    let summary = Summary::of(files);
+    let mut parts = Vec::new();
+    for verdict in Verdict::ALL {
+        let count = summary.count(verdict);
+        if count > 0 {
+            let of_them =
+                if verdict == Verdict::Violated && summary.known > 0 { format!(" ({} known)", summary.known) } else { String::new() };
+            parts.push(format!("{count} {}{of_them}", verdict.name()));
+        }
+    }
+    let mut text = format!("{} in {}", counted(summary.joins, "join", "joins"), counted(files.len(), "file", "files"));
+    if !parts.is_empty() {
+        let _ = write!(text, ": {}", parts.join(", "));
+    }
+    if summary.unreadable > 0 {
+        let _ = write!(text, "; {} not be read", counted(summary.unreadable, "file could", "files could"));
+    }
+    text
+}
