@@ -3,17 +3,29 @@
 
 mod decimals;
 mod format;
+mod glif;
 mod json;
+mod newell;
+mod outline;
 mod place;
+mod scanner;
 mod shape;
+mod svg;
+mod xml;
 
+use crate::affine::Rectangle;
+use crate::control::ControlNet;
+use crate::exact::Rational;
+use crate::kernel::shape::Shape;
 use crate::piece::Piece;
+use crate::rectangular::RectangularPatch;
 
 pub use decimals::Decimals;
 pub use format::Format;
 pub use json::{Fault, Fields, number, numbers, points, rows};
 pub(crate) use json::{count, depth, excerpt, list, plain};
-pub use place::{Flaw, Place};
+pub use place::{Flaw, Place, Places};
+pub(crate) use place::shown;
 pub use shape::{ShapeFile, read_shape};
 pub(crate) use shape::{frame, place, weights};
 
@@ -78,4 +90,35 @@ pub struct Omission {
     pub place: Place,
     /// What it is and why it is passed over: "an arc is not a Bézier curve".
     pub what: &'static str,
+}
+
+/// Reads a file.
+///
+/// # Errors
+/// What was found and what was expected, with the place: the file is not of
+/// this format, ends too early, goes on too long, or is beyond a limit.
+pub fn read(text: &str, format: Format) -> Result<Model, Flaw> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    match format {
+        Format::Newell => newell::read(text),
+        Format::Svg => svg::read(text),
+        Format::Glif => glif::read(text),
+        _ => Err(Flaw::of_file("TODO")),
+    }
+}
+
+impl Model {
+    /// Patches that meet where their edges do.
+    fn of_patches(format: Format, parts: Vec<Part>, decimals: u32) -> Self {
+        Self { format, parts, joints: Vec::new(), meets_by_position: true, decimals, omissions: Vec::new() }
+    }
+}
+
+impl Part {
+    /// A polynomial patch over the unit square, with its coordinates point by point.
+    fn patch((p, q): (usize, usize), dimension: usize, coordinates: Vec<Rational>, place: Place) -> Self {
+        let net = ControlNet { shape: Shape::rectangle(p, q, dimension), coordinates };
+        let piece = Piece::Rectangle(RectangularPatch::from_net(net, Rectangle::unit()));
+        Self { piece, rational: false, has_frame: false, name: None, place }
+    }
 }
