@@ -52,6 +52,8 @@ pub(super) fn program() -> Command {
         program = program.subcommand(subcommand(verb));
     }
     program
+        .subcommand(super::check::command())
+        .subcommand(super::explain::command())
         .subcommand(
             Command::new("batch")
                 .about("Answer requests on standard input, one JSON object a line")
@@ -132,7 +134,7 @@ fn subcommand(verb: &'static str) -> Command {
         .arg(color())
 }
 
-fn color() -> Arg {
+pub(super) fn color() -> Arg {
     Arg::new("color").long("color").value_parser(["auto", "always", "never"]).default_value("auto").help("Colours in messages")
 }
 

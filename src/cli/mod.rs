@@ -1,9 +1,12 @@
 //! The command line: an adaptor of the table of operations.
 
 mod arguments;
+mod check;
 mod clash;
 mod command;
 mod diagnostic;
+mod ending;
+mod explain;
 mod flags;
 mod given;
 mod read;
@@ -25,6 +28,7 @@ use crate::symbolic::Symbol;
 use crate::syntax::Style;
 use crate::value::{Answer, Arguments, Value};
 use diagnostic::Problem;
+use ending::Ending;
 use given::Given;
 
 /// Runs the program on its arguments (the first is the program's name) and
@@ -52,25 +56,31 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let Some((verb, matches)) = matches.subcommand() else { return ExitCode::from(2) };
     match carry_out(verb, matches) {
-        Ok(holds) => ExitCode::from(u8::from(!holds)),
-        Err(problem) => {
-            let choice = matches.try_get_one::<String>("color").ok().flatten().map_or("auto", String::as_str);
-            let styled = match choice {
-                "always" => true,
-                "never" => false,
-                _ => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()),
-            };
-            problem.show(styled)
-        }
+        Ok(ending) => ending.into(),
+        Err(problem) => problem.show(is_coloured(matches, &io::stderr())),
     }
 }
 
-/// What a command found: `false` if a question was answered no.
-fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
+/// Whether what goes to a stream is coloured.
+fn is_coloured(matches: &ArgMatches, stream: &impl IsTerminal) -> bool {
+    match matches.try_get_one::<String>("color").ok().flatten().map(String::as_str) {
+        Some("always") => true,
+        Some("never") => false,
+        _ => stream.is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty()),
+    }
+}
+
+/// Carries out a command.
+fn carry_out(verb: &str, matches: &ArgMatches) -> Result<Ending, Problem> {
     match verb {
+        "check" => check::check(matches, is_coloured(matches, &io::stdout())),
+        "explain" => {
+            print(explain::explain(matches)?.as_bytes())?;
+            Ok(Ending::Fine)
+        }
         "batch" => {
             crate::batch::run(io::stdin().lock(), io::BufWriter::with_capacity(1 << 16, io::stdout().lock())).map_err(Problem::output)?;
-            Ok(true)
+            Ok(Ending::Fine)
         }
         "completions" => {
             let mut script = Vec::new();
@@ -78,9 +88,9 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
                 clap_complete::generate(shell, &mut command::program(), "casteljau", &mut script);
             }
             print(&script)?;
-            Ok(true)
+            Ok(Ending::Fine)
         }
-        _ => operate(verb, matches),
+        _ => operate(verb, matches).map(Ending::of_answer),
     }
 }
 

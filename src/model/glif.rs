@@ -54,7 +54,9 @@ fn entry(element: &Element, index: usize, tags: &mut Tags, decimals: &mut Decima
         let Some(attribute) = element.attribute(name, tags.places())? else {
             return Err(Flaw::at(place, format!("the point has no `{name}`")));
         };
-        decimals.read(attribute.value.trim()).map_err(|error| Flaw::at(place, format!("found {} as `{name}`: {error}", shown(&attribute.value))))
+        decimals
+            .read(attribute.value.trim())
+            .map_err(|error| Flaw::at(place, format!("found {} as `{name}`: {error}", shown(&attribute.value))))
     };
     let point = [coordinate("x")?, coordinate("y")?];
     let kind = match element.attribute("type", tags.places())?.as_ref().map(|attribute| &*attribute.value) {
@@ -89,7 +91,10 @@ fn draw(entries: &[Entry], outline: &mut Outline) -> Result<(), Flaw> {
         }
     }
     if let Some(entry) = off.first() {
-        return Err(Flaw::at(entry.node.place, "found a control point at the end of an open contour, expected a point of the curve behind it"));
+        return Err(Flaw::at(
+            entry.node.place,
+            "found a control point at the end of an open contour, expected a point of the curve behind it",
+        ));
     }
     if closed {
         outline.close(entries[start].node.place)?;

@@ -24,8 +24,8 @@ pub use decimals::Decimals;
 pub use format::Format;
 pub use json::{Fault, Fields, number, numbers, points, rows};
 pub(crate) use json::{count, depth, excerpt, list, plain};
-pub use place::{Flaw, Place, Places};
 pub(crate) use place::shown;
+pub use place::{Flaw, Place, Places};
 pub use shape::{ShapeFile, read_shape};
 pub(crate) use shape::{frame, place, weights};
 

@@ -61,7 +61,11 @@ fn in_line<'a>(scanner: &mut Scanner<'a>, place: usize, expected: &str) -> Resul
     match scanner.next() {
         Some(word) if word.starts_line != (place == 0) => Err(Flaw::at(
             scanner.place(word.at),
-            if place == 0 { format!("the line goes on, expected {expected}") } else { format!("the line before ends after {place}, expected {expected}") },
+            if place == 0 {
+                format!("the line goes on, expected {expected}")
+            } else {
+                format!("the line before ends after {place}, expected {expected}")
+            },
         )),
         word => Ok(word),
     }
@@ -108,10 +112,25 @@ mod tests {
             ("-1\n".into(), 1, 1, "found `-1`, expected the number of patches"),
             (good.replacen(",16\n", ",17\n", 1), 2, 37, "found `17`, expected an index up to 16, the number of vertices"),
             (good.replacen(",16\n", ",0\n", 1), 2, 37, "found `0`, expected the index of a vertex, 16 in the line of a patch"),
-            (good.replacen(",16\n", "\n", 1), 3, 1, "the line before ends after 15, expected the index of a vertex, 16 in the line of a patch"),
-            (good.replacen(",16\n", ",16,1\n", 1), 2, 40, "the line goes on, expected the number of vertices in a line of its own, behind the patches"),
+            (
+                good.replacen(",16\n", "\n", 1),
+                3,
+                1,
+                "the line before ends after 15, expected the index of a vertex, 16 in the line of a patch",
+            ),
+            (
+                good.replacen(",16\n", ",16,1\n", 1),
+                2,
+                40,
+                "the line goes on, expected the number of vertices in a line of its own, behind the patches",
+            ),
             (good.replacen(",2,", ",,2,", 1), 2, 3, "found `,`, expected the index of a vertex, 16 in the line of a patch"),
-            (good.replacen("1\n", "4000000000\n", 1), 4, 1, "the line before ends after 1, expected the index of a vertex, 16 in the line of a patch"),
+            (
+                good.replacen("1\n", "4000000000\n", 1),
+                4,
+                1,
+                "the line before ends after 1, expected the index of a vertex, 16 in the line of a patch",
+            ),
             (good.clone() + "\n7", 20, 1, "found `7`, expected the end of the file"),
             (good.replacen("0.5,0,0", "nan,0,0", 1), 4, 1, "found `nan`, expected a coordinate, three in the line of a vertex"),
         ] {

@@ -167,7 +167,13 @@ pub(super) fn read_scanned(decimals: &mut Decimals, word: &str) -> Result<Ration
     decimals.read(word).or_else(|error| match word.find('.') {
         Some(dot) if word[..dot].ends_with(|letter: char| letter.is_ascii_digit()) => {
             let rest = &word[dot + 1..];
-            if rest.is_empty() { decimals.read(&word[..dot]) } else if rest.starts_with(['e', 'E']) { decimals.read(&word.replacen('.', "", 1)) } else { Err(error) }
+            if rest.is_empty() {
+                decimals.read(&word[..dot])
+            } else if rest.starts_with(['e', 'E']) {
+                decimals.read(&word.replacen('.', "", 1))
+            } else {
+                Err(error)
+            }
         }
         _ => Err(error),
     })

@@ -73,7 +73,11 @@ impl<'a> Tags<'a> {
                 Ok(Event::Start(tag)) => {
                     let at = offset(self.text, &tag).saturating_sub(1);
                     if self.depth == 0 && self.has_root {
-                        return Err(Flaw::expected(self.place(at), &format!("<{}>", &*tag.name().as_ref()), "the end of the file behind the root element"));
+                        return Err(Flaw::expected(
+                            self.place(at),
+                            &format!("<{}>", &*tag.name().as_ref()),
+                            "the end of the file behind the root element",
+                        ));
                     }
                     let element = Element { text: self.text, tag, at, depth: self.depth };
                     self.depth += 1;
@@ -120,7 +124,10 @@ impl<'a> Element<'a> {
                 return Ok(Some(Attribute { value: Cow::Borrowed(raw), at, is_verbatim: true }));
             }
             let value = quick_xml::escape::unescape(raw).map_err(|error| {
-                Flaw::at(places.of(at), format!("the attribute `{name}` cannot be read: {error}; entities that the document declares are not expanded"))
+                Flaw::at(
+                    places.of(at),
+                    format!("the attribute `{name}` cannot be read: {error}; entities that the document declares are not expanded"),
+                )
             })?;
             return Ok(Some(Attribute { value, at, is_verbatim: false }));
         }

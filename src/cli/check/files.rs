@@ -1,0 +1,69 @@
+//! The files that a check looks at.
+
+use std::path::{Path, PathBuf};
+
+use ignore::WalkBuilder;
+
+use crate::cli::diagnostic::Problem;
+use crate::model::Format;
+
+/// The most bytes of a file.
+const MAX_BYTES: u64 = 1 << 30;
+
+/// A file to look at.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Candidate {
+    pub(super) path: PathBuf,
+    /// Whether the user named it; one that was found in a folder need not hold anything.
+    pub(super) named: bool,
+}
+
+impl Candidate {
+    /// The path as reports show it: with slashes.
+    pub(super) fn shown(&self) -> String {
+        shown(&self.path)
+    }
+}
+
+/// A path with slashes, without `./` before it.
+pub(super) fn shown(path: &Path) -> String {
+    let text = path.to_string_lossy();
+    let text = if std::path::MAIN_SEPARATOR == '\\' { text.replace('\\', "/") } else { text.into_owned() };
+    text.strip_prefix("./").map_or_else(|| text.clone(), str::to_owned)
+}
+
+/// The files that paths stand for, in order of their paths: of a folder all
+/// below it with an ending that says their format, what version control ignores
+/// left out.
+pub(super) fn collect(paths: &[String], excluded: impl Fn(&Path) -> bool) -> Result<Vec<Candidate>, Problem> {
+    let mut found = Vec::new();
+    for path in paths {
+        let path = Path::new(path);
+        let kind = std::fs::metadata(path).map_err(|error| Problem::plain(format!("cannot read `{}`: {error}", path.display())))?;
+        if !kind.is_dir() {
+            found.push(Candidate { path: path.to_owned(), named: true });
+            continue;
+        }
+        for entry in WalkBuilder::new(path).sort_by_file_path(Path::cmp).build() {
+            let entry = entry.map_err(|error| Problem::plain(format!("cannot read the folder: {error}")))?;
+            let is_file = entry.file_type().is_some_and(|kind| kind.is_file());
+            if is_file && Format::of_path(entry.path()).is_some() && !excluded(entry.path()) {
+                found.push(Candidate { path: entry.into_path(), named: false });
+            }
+        }
+    }
+    found.sort_by(|a, b| a.path.cmp(&b.path).then(b.named.cmp(&a.named)));
+    found.dedup_by(|later, first| later.path == first.path);
+    Ok(found)
+}
+
+/// The text of a file.
+pub(super) fn text(path: &Path) -> Result<String, String> {
+    let size = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
+    if size > MAX_BYTES {
+        return Err(format!("the file has {size} bytes; at most {MAX_BYTES} are read"));
+    }
+    let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
+    String::from_utf8(bytes)
+        .map_err(|error| format!("not valid UTF-8: byte {} does not belong to any character", error.utf8_error().valid_up_to()))
+}

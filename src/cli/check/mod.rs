@@ -1,0 +1,172 @@
+//! `check`: every join of the pieces in files, held to what is required.
+
+mod baseline;
+mod command;
+mod files;
+mod settings;
+
+use std::io::{self, IsTerminal, Read as _, Write};
+use std::path::Path;
+use std::str::FromStr;
+
+use clap::ArgMatches;
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+
+use self::baseline::Baseline;
+use self::files::Candidate;
+use self::settings::{Demands, Settings};
+use super::diagnostic::Problem;
+use super::ending::Ending;
+use super::flags::text_of;
+use super::tell;
+use crate::audit::{Tolerance, Verdict, audit};
+use crate::model::{Flaw, Format, read};
+use crate::report::joins::{self, Examined, File, RULES, Style, Summary, fingerprint};
+use crate::report::{Report, github, junit, sarif};
+
+pub(super) use command::command;
+
+/// Runs the command.
+pub(super) fn check(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
+    let threads = matches.get_one::<u16>("jobs").map_or(0, |&jobs| usize::from(jobs));
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|error| Problem::plain(format!("cannot start threads: {error}")))?;
+    pool.install(|| run(matches, coloured))
+}
+
+fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
+    let quiet = matches.get_flag("quiet");
+    let settings =
+        if matches.get_flag("no-config") { Settings::default() } else { Settings::find(text_of(matches, "config").map(String::as_str))? };
+    let above = demands(matches)?;
+    let format = text_of(matches, "read-as").and_then(|name| Format::named(name));
+    let paths: Vec<String> = matches.get_many::<String>("paths").unwrap_or_default().cloned().collect();
+    let from_input = paths.iter().any(|path| path == "-");
+    let on_disk: Vec<String> = paths.into_iter().filter(|path| path != "-").collect();
+    let candidates = files::collect(&on_disk, |path| settings.excludes(path))?;
+    let known = match text_of(matches, "baseline").map(|path| Path::new(path).to_owned()).or_else(|| settings.baseline.clone()) {
+        Some(path) if text_of(matches, "write-baseline").is_none() => Some(Baseline::read(&path)?),
+        _ => None,
+    };
+    let bar = progress(candidates.len(), quiet);
+    let mut examined: Vec<File> = candidates
+        .par_iter()
+        .filter_map(|candidate| {
+            let file = examine(candidate, format, &settings.of(&candidate.path, &above));
+            bar.inc(1);
+            file
+        })
+        .collect();
+    bar.finish_and_clear();
+    if from_input {
+        let mut text = String::new();
+        io::stdin().lock().read_to_string(&mut text).map_err(|error| Problem::plain(format!("cannot read standard input: {error}")))?;
+        let outcome = judge(text, format, &settings.of(Path::new("-"), &above));
+        examined.insert(0, File { path: "standard input".into(), outcome });
+    }
+    if let Some(known) = known {
+        let gone = known.mark(&mut examined);
+        if gone > 0 && !quiet {
+            tell(&format!("{gone} findings of the baseline do not occur any more; --write-baseline leaves them out"));
+        }
+    }
+    let mut output = Vec::new();
+    print(matches, &examined, coloured, &mut output).map_err(Problem::output)?;
+    match text_of(matches, "output") {
+        Some(path) => baseline::replace(Path::new(path), &output)?,
+        None => {
+            let mut out = io::stdout().lock();
+            out.write_all(&output).and_then(|()| out.flush()).map_err(Problem::output)?;
+        }
+    }
+    let summary = Summary::of(&examined);
+    let written = match text_of(matches, "write-baseline") {
+        Some(path) => {
+            let count = Baseline::write(Path::new(path), &examined)?;
+            if !quiet {
+                tell(&format!("{count} findings were written to {path}"));
+            }
+            true
+        }
+        None => false,
+    };
+    if summary.unreadable > 0 {
+        return Ok(Ending::Unusable);
+    }
+    if summary.joins == 0 && !matches.get_flag("allow-empty") {
+        tell("there is no join to check (--allow-empty makes that a success)");
+        return Ok(Ending::Unusable);
+    }
+    Ok(if summary.fails() && !written { Ending::No } else { Ending::Fine })
+}
+
+/// What the command line asks of joins.
+fn demands(matches: &ArgMatches) -> Result<Demands, Problem> {
+    let named = |name: &'static str| move |error: String| Problem::plain(format!("--{name}: {error}"));
+    let mut tolerance: Option<Tolerance> = None;
+    for text in matches.get_many::<String>("tolerance").unwrap_or_default() {
+        let one = Tolerance::from_str(text).map_err(named("tolerance"))?;
+        tolerance = Some(tolerance.unwrap_or_default().and(one).map_err(named("tolerance"))?);
+    }
+    Ok(Demands {
+        require: text_of(matches, "require").map(|text| settings::requirement(text)).transpose().map_err(named("require"))?,
+        tolerance,
+        snap: text_of(matches, "snap").map(|text| settings::snap(text)).transpose().map_err(named("snap"))?,
+    })
+}
+
+/// A bar on a terminal, where there is long work.
+fn progress(files: usize, quiet: bool) -> ProgressBar {
+    if quiet || files < 2 || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(files as u64);
+    if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} files, {eta}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+/// Reads a file and judges its joins; nothing comes of a file in a folder that
+/// holds something else.
+fn examine(candidate: &Candidate, format: Option<Format>, demands: &Demands) -> Option<File> {
+    let outcome = match files::text(&candidate.path) {
+        Err(message) => Err(Flaw::of_file(message)),
+        Ok(text) => {
+            let by_path = Format::of_path(&candidate.path);
+            if !candidate.named && by_path == Some(Format::Shape) && Format::of_content(&text) != Some(Format::Shape) {
+                return None;
+            }
+            judge(text, format.or(by_path), demands)
+        }
+    };
+    let empty = outcome.as_ref().is_ok_and(|examined| examined.model.parts.is_empty());
+    (candidate.named || !empty).then(|| File { path: candidate.shown(), outcome })
+}
+
+fn judge(text: String, format: Option<Format>, demands: &Demands) -> Result<Examined, Flaw> {
+    let unknown = || {
+        let names = Format::ALL.map(Format::name).join(", ");
+        Flaw::of_file(format!("neither the ending nor the content tells the format: --read-as takes {names}"))
+    };
+    let format = format.or_else(|| Format::of_content(&text)).ok_or_else(unknown)?;
+    let model = read(&text, format)?;
+    let audit = audit(&model, &demands.terms(), demands.snap.as_ref()).map_err(|error| Flaw::of_file(error.to_string()))?;
+    let fingerprints = audit.joins.iter().map(|join| (join.verdict == Verdict::Violated).then(|| fingerprint(join))).collect();
+    let shown = audit.joins.iter().any(|join| matches!(join.verdict, Verdict::Violated | Verdict::Degenerate));
+    Ok(Examined { known: vec![false; audit.joins.len()], fingerprints, text: shown.then_some(text), model, audit })
+}
+
+fn print(matches: &ArgMatches, files: &[File], coloured: bool, out: &mut dyn Write) -> io::Result<()> {
+    match text_of(matches, "format").map(String::as_str) {
+        Some("json") => joins::json(files, out),
+        Some("junit") => junit::write("casteljau check", &joins::suites(files), out),
+        Some(machine @ ("sarif" | "github")) => {
+            let (notices, obstacles) = joins::notices(files);
+            let report = Report { rules: &RULES, notices: &notices, obstacles: &obstacles };
+            if machine == "sarif" { sarif::write(&report, out) } else { github::write(&report, out) }
+        }
+        _ => joins::text(files, Style { coloured, verbose: matches.get_count("verbose") > 0 }, out),
+    }
+}
