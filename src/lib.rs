@@ -33,7 +33,7 @@
 //! |---|---|
 //! | `main`, `cli`, `batch` | adaptors: arguments, files, exit status; requests a line |
 //! | [`ops`] | one table of operations, whoever asks |
-//! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica; pictures |
+//! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica, SARIF, JUnit; pictures |
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |

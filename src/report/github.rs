@@ -13,6 +13,8 @@ use crate::model::Place;
 /// Known notices are left out: an annotation is for what a change brought. (See
 /// GitHub, *Workflow commands for GitHub Actions*, "Setting an error message".)
 ///
+/// Pieces are small: `out` should be buffered.
+///
 /// # Errors
 /// What writing gives.
 pub fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {

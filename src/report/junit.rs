@@ -82,6 +82,8 @@ impl Counts {
 
 /// Writes suites as a JUnit XML document with this name.
 ///
+/// Pieces are small: `out` should be buffered.
+///
 /// # Errors
 /// What writing gives.
 pub fn write(name: &str, suites: &[Suite], out: &mut dyn Write) -> io::Result<()> {

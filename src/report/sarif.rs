@@ -21,6 +21,8 @@ const FINGERPRINT: &str = "casteljau/v1";
 /// show them. Files that could not be examined are notifications, and the
 /// execution then counts as unsuccessful.
 ///
+/// Pieces are small: `out` should be buffered.
+///
 /// # Errors
 /// What writing gives.
 pub fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {
