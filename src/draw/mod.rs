@@ -12,6 +12,8 @@ mod caption;
 mod curve;
 mod feature;
 mod gallery;
+#[cfg(feature = "cli")]
+mod joins;
 mod label;
 mod mark;
 mod model;
@@ -29,5 +31,7 @@ mod tests;
 
 pub use curve::CurvePicture;
 pub use gallery::gallery;
+#[cfg(feature = "cli")]
+pub use joins::{MAX_DRAWN, joins};
 pub use model::{glb, obj};
 pub use patch::PatchPicture;

@@ -80,6 +80,12 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
             out.write_all(&output).and_then(|()| out.flush()).map_err(Problem::output)?;
         }
     }
+    if let Some(path) = text_of(matches, "plot") {
+        if !path.ends_with(".svg") {
+            return Err(Problem::plain(format!("findings are drawn as .svg: `{path}` ends otherwise")));
+        }
+        baseline::replace(Path::new(path), crate::draw::joins(&examined)?.as_bytes())?;
+    }
     let summary = Summary::of(&examined);
     let written = match text_of(matches, "write-baseline") {
         Some(path) => {

@@ -12,7 +12,7 @@ use crate::model::{Flaw, Follow, Model, Place};
 
 pub use fingerprint::fingerprint;
 pub use json::json;
-pub use notices::{notices, suites};
+pub use notices::{notices, sentence, suites};
 pub use rules::{RULES, rule_of};
 pub use text::{Style, text};
 

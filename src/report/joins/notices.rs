@@ -7,8 +7,9 @@ use crate::audit::{Join, Verdict};
 use crate::report::junit::{Case, Outcome, Suite};
 use crate::report::notice::{Notice, Obstacle, Rule};
 
-/// One line: what was found, why it matters, where.
-pub(super) fn message(examined: &Examined, join: &Join) -> String {
+/// A join in one line: what was found, why it matters, where.
+#[must_use]
+pub fn sentence(examined: &Examined, join: &Join) -> String {
     let demand = demand(examined, join);
     let demand = if demand.is_empty() { demand } else { format!(" ({demand})") };
     let remedy = remedy(join).map_or_else(String::new, |remedy| format!("; {remedy}"));
@@ -33,7 +34,7 @@ pub fn notices(files: &[File]) -> (Vec<Notice>, Vec<Obstacle>) {
         for (index, join) in examined.audit.joins.iter().enumerate() {
             if let Some(rule) = rule_of(join) {
                 let fingerprint = examined.fingerprints[index].clone();
-                note(rule, Some(examined.place(join)), message(examined, join), fingerprint, examined.known[index]);
+                note(rule, Some(examined.place(join)), sentence(examined, join), fingerprint, examined.known[index]);
             }
         }
         for omitted in &examined.model.omissions {
@@ -72,7 +73,7 @@ fn case(file: &File, examined: &Examined, index: usize, join: &Join) -> Case {
     let outcome = match (join.verdict, rule_of(join)) {
         (Verdict::Violated, Some(_)) if examined.known[index] => Outcome::Skipped { message: "named by the baseline".into() },
         (Verdict::Violated, Some(rule)) => {
-            Outcome::Failed { rule, message: message(examined, join), detail: format!("{}:{}", file.path, examined.place(join)) }
+            Outcome::Failed { rule, message: sentence(examined, join), detail: format!("{}:{}", file.path, examined.place(join)) }
         }
         (Verdict::Degenerate, _) => Outcome::Skipped { message: finding(join) },
         (Verdict::Reported, _) => Outcome::Skipped { message: "nothing is required".into() },

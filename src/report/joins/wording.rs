@@ -56,6 +56,8 @@ pub(super) fn finding(join: &Join) -> String {
     let curves = matches!(join.first.1, crate::side::Side::End | crate::side::Side::Start);
     let (these, tangents) = if curves { ("the curves", "tangents") } else { ("the patches", "tangent planes") };
     match (join.verdict, join.parametric, join.contact) {
+        (Verdict::Exact, ..) => "as required".into(),
+        (Verdict::Within, ..) => "within the tolerance".into(),
         (Verdict::Degenerate, _, Contact::ZeroHandle) => "a handle is zero: there is no tangent".into(),
         (Verdict::Degenerate, _, Contact::SingularPoints) => "the tangent planes agree, and a normal vanishes at single points".into(),
         (Verdict::Degenerate, ..) => "there is no tangent plane along the edge".into(),
