@@ -5,7 +5,7 @@ use serde_json::value::RawValue;
 use crate::affine::{AffineMap, Frame, Parameter, PlaneParameter};
 use crate::curve::Curve;
 use crate::exact::Rational;
-use crate::model::{Fault, Fields, count, depth, excerpt, frame, list, number, numbers, place, plain, points, rows, weights};
+use crate::model::{Decimals, Fault, Fields, count, depth, excerpt, frame, list, number, numbers, place, plain, points, rows, weights};
 use crate::ops::{Kind, Operation, Weighting};
 use crate::piece::Piece;
 use crate::reading::Reading;
@@ -19,18 +19,19 @@ use crate::value::{Arguments, Domain, Value};
 /// The arguments of an operation from its `input` object.
 pub(super) fn arguments(operation: &Operation, input: &RawValue) -> Result<Arguments, Fault> {
     let fields = Fields::of(input, "the input")?;
+    let decimals = &mut Decimals::default();
     let known: Vec<&str> = operation.parameters.iter().map(|parameter| parameter.name).collect();
     fields.only(&known, "the input")?;
     let domain = match operation.domains {
         [only] => *only,
-        _ => domain(&fields),
+        _ => domain(&fields, decimals),
     };
     let mut arguments = Arguments::new(domain);
     for parameter in operation.parameters {
         match fields.get(parameter.name) {
             // `terms` are the surface whose name they stand for.
-            Some(raw) if parameter.kind == Kind::Terms => arguments.insert("surface", Value::Surface(terms(raw)?)),
-            Some(raw) => arguments.insert(parameter.name, value(parameter.kind, domain, raw, parameter.name)?),
+            Some(raw) if parameter.kind == Kind::Terms => arguments.insert("surface", Value::Surface(terms(raw, decimals)?)),
+            Some(raw) => arguments.insert(parameter.name, value(parameter.kind, domain, raw, parameter.name, decimals)?),
             None if parameter.required => {
                 return Err(Fault::new("missing-field", format!("{} needs `{}`: {}", operation.name, parameter.name, parameter.help)));
             }
@@ -75,8 +76,8 @@ fn check_parallel(rows: &[Vec<Vec<Rational>>], raw: &RawValue) -> Result<(), Fau
 }
 
 /// What kind of shape the fields of a request are about.
-fn domain(fields: &Fields) -> Domain {
-    match fields.get("frame").map(frame) {
+fn domain(fields: &Fields, decimals: &mut Decimals) -> Domain {
+    match fields.get("frame").map(|raw| frame(raw, decimals)) {
         Some(Ok(Frame::Triangle(_))) => return Domain::Triangle,
         Some(Ok(Frame::Rectangle(_))) => return Domain::Rectangle,
         Some(Ok(Frame::Interval(_))) => return Domain::Curve,
@@ -86,7 +87,7 @@ fn domain(fields: &Fields) -> Domain {
         let is_bidegree = Fields::of(raw, "a surface").is_ok_and(|surface| surface.get("degree").is_some_and(|degree| depth(degree) > 0));
         return if is_bidegree { Domain::Rectangle } else { Domain::Triangle };
     }
-    match fields.get("points").map(rows) {
+    match fields.get("points").map(|raw| rows(raw, decimals)) {
         Some(Ok(rows)) if depth(fields.get("points").unwrap_or(RawValue::NULL)) >= 3 => {
             let shrinks = rows.len() > 1 && rows[rows.len() - 1].len() < rows[0].len();
             if shrinks { Domain::Triangle } else { Domain::Rectangle }
@@ -96,37 +97,37 @@ fn domain(fields: &Fields) -> Domain {
     }
 }
 
-fn value(kind: Kind, domain: Domain, raw: &RawValue, name: &str) -> Result<Value, Fault> {
+fn value(kind: Kind, domain: Domain, raw: &RawValue, name: &str, decimals: &mut Decimals) -> Result<Value, Fault> {
     Ok(match kind {
-        Kind::Curve => Value::Curve(curve(raw)?),
-        Kind::Surface => Value::Surface(surface(raw, domain)?),
-        Kind::Terms => Value::Surface(terms(raw)?),
-        Kind::AnySurface => Value::Surface(any_surface(raw, domain)?),
-        Kind::Shape if raw.get().starts_with('[') => Value::Points(points(raw)?),
-        Kind::Shape => Value::Curve(curve(raw)?),
-        Kind::Points if domain == Domain::Curve => Value::Points(points(raw)?),
-        Kind::Points => Value::Rows(rows(raw)?),
-        Kind::Weights => Value::Numbers(weights(raw)?),
+        Kind::Curve => Value::Curve(curve(raw, decimals)?),
+        Kind::Surface => Value::Surface(surface(raw, domain, decimals)?),
+        Kind::Terms => Value::Surface(terms(raw, decimals)?),
+        Kind::AnySurface => Value::Surface(any_surface(raw, domain, decimals)?),
+        Kind::Shape if raw.get().starts_with('[') => Value::Points(points(raw, decimals)?),
+        Kind::Shape => Value::Curve(curve(raw, decimals)?),
+        Kind::Points if domain == Domain::Curve => Value::Points(points(raw, decimals)?),
+        Kind::Points => Value::Rows(rows(raw, decimals)?),
+        Kind::Weights => Value::Numbers(weights(raw, decimals)?),
         Kind::Weight => Value::Expressions(vec![expression(&plain::<String>(raw, "a polynomial")?)?]),
-        Kind::Frame | Kind::FrameOfPoints => Value::Frame(frame(raw)?),
-        Kind::Number | Kind::FirstParameter | Kind::SecondParameter => Value::Number(number(raw)?),
-        Kind::Place => Value::Numbers(place(raw)?),
-        Kind::Numbers | Kind::Arguments => Value::Numbers(numbers(raw, name)?),
-        Kind::Point => Value::Point(numbers(raw, name)?),
-        Kind::Piece => Value::Piece(piece(raw, name)?),
-        Kind::Edge => Value::Points(points(raw)?),
+        Kind::Frame | Kind::FrameOfPoints => Value::Frame(frame(raw, decimals)?),
+        Kind::Number | Kind::FirstParameter | Kind::SecondParameter => Value::Number(number(raw, decimals)?),
+        Kind::Place => Value::Numbers(place(raw, decimals)?),
+        Kind::Numbers | Kind::Arguments => Value::Numbers(numbers(raw, name, decimals)?),
+        Kind::Point => Value::Point(numbers(raw, name, decimals)?),
+        Kind::Piece => Value::Piece(piece(raw, name, decimals)?),
+        Kind::Edge => Value::Points(points(raw, decimals)?),
         Kind::Count => Value::Count(count(raw, name)?),
         Kind::Counts => Value::Counts(counts(raw, name)?),
         Kind::HomogeneousArguments | Kind::FirstArguments(Weighting::Homogeneous) | Kind::SecondArguments(Weighting::Homogeneous) => {
-            Value::Arguments(homogeneous(raw)?)
+            Value::Arguments(homogeneous(raw, decimals)?)
         }
         Kind::FirstArguments(Weighting::Points) | Kind::SecondArguments(Weighting::Points) => {
-            Value::Arguments(numbers(raw, name)?.into_iter().map(Parameter::from).collect())
+            Value::Arguments(numbers(raw, name, decimals)?.into_iter().map(Parameter::from).collect())
         }
-        Kind::PlaneArguments(weighting) => Value::PlaneArguments(plane_arguments(raw, weighting)?),
+        Kind::PlaneArguments(weighting) => Value::PlaneArguments(plane_arguments(raw, weighting, decimals)?),
         Kind::Claim => Value::Expressions(expressions(raw)?),
-        Kind::Map => Value::Map(map(raw)?),
-        Kind::Plane => Value::Map(plane(raw)?),
+        Kind::Map => Value::Map(map(raw, decimals)?),
+        Kind::Plane => Value::Map(plane(raw, decimals)?),
         Kind::Word(words) => Value::Word(word(raw, name, words)?),
         Kind::Flag => Value::Truth(plain(raw, "true or false")?),
     })
@@ -142,7 +143,7 @@ fn word(raw: &RawValue, name: &str, words: &'static [&'static str]) -> Result<&'
 }
 
 /// `{"frame", "points"}` or `{"frame", "homogeneous_points"}`, for triangles with their degree.
-fn piece(raw: &RawValue, name: &str) -> Result<Piece, Fault> {
+fn piece(raw: &RawValue, name: &str, decimals: &mut Decimals) -> Result<Piece, Fault> {
     let fields = Fields::of(raw, name)?;
     fields.only(&["frame", "points", "homogeneous_points", "degree"], name)?;
     let control = match (fields.get("points"), fields.get("homogeneous_points")) {
@@ -150,10 +151,10 @@ fn piece(raw: &RawValue, name: &str) -> Result<Piece, Fault> {
         (None, None) => return Err(Fault::new("missing-field", format!("{name} needs `points` or `homogeneous_points`"))),
         _ => return Err(Fault::new("unknown-field", "`points` and `homogeneous_points` exclude each other")),
     };
-    let piece = match frame(fields.require("frame", name)?)? {
-        Frame::Interval(frame) => Piece::Curve(Segment::from_points(points(control)?, frame)?),
-        Frame::Triangle(frame) => Piece::Triangle(TriangularPatch::from_rows(rows(control)?, frame)?),
-        Frame::Rectangle(frame) => Piece::Rectangle(RectangularPatch::from_rows(rows(control)?, frame)?),
+    let piece = match frame(fields.require("frame", name)?, decimals)? {
+        Frame::Interval(frame) => Piece::Curve(Segment::from_points(points(control, decimals)?, frame)?),
+        Frame::Triangle(frame) => Piece::Triangle(TriangularPatch::from_rows(rows(control, decimals)?, frame)?),
+        Frame::Rectangle(frame) => Piece::Rectangle(RectangularPatch::from_rows(rows(control, decimals)?, frame)?),
     };
     if let (Piece::Triangle(patch), Some(raw)) = (&piece, fields.get("degree")) {
         let degree = count(raw, "the degree")?;
@@ -176,7 +177,7 @@ fn counts(raw: &RawValue, name: &str) -> Result<Vec<usize>, Fault> {
 }
 
 /// `{"degree": m or [p, q], "terms": [[[h, k, c], …], …]}`
-fn surface(raw: &RawValue, domain: Domain) -> Result<Surface, Fault> {
+fn surface(raw: &RawValue, domain: Domain, decimals: &mut Decimals) -> Result<Surface, Fault> {
     let fields = Fields::of(raw, "a surface")?;
     fields.only(&["degree", "terms"], "a surface")?;
     let degree = fields.require("degree", "a surface")?;
@@ -190,38 +191,38 @@ fn surface(raw: &RawValue, domain: Domain) -> Result<Surface, Fault> {
         },
     };
     let lists = list(fields.require("terms", "a surface")?, "the terms")?;
-    Ok(Surface::new(reading, lists.into_iter().map(terms_of).collect::<Result<_, _>>()?)?)
+    Ok(Surface::new(reading, lists.into_iter().map(|raw| terms_of(raw, decimals)).collect::<Result<_, _>>()?)?)
 }
 
 /// A surface whose degree may be left out; it is the least total degree then.
-fn any_surface(raw: &RawValue, domain: Domain) -> Result<Surface, Fault> {
+fn any_surface(raw: &RawValue, domain: Domain, decimals: &mut Decimals) -> Result<Surface, Fault> {
     let fields = Fields::of(raw, "a surface")?;
     if fields.get("degree").is_some() {
-        return surface(raw, domain);
+        return surface(raw, domain, decimals);
     }
     fields.only(&["terms"], "a surface")?;
     let lists = list(fields.require("terms", "a surface")?, "the terms")?;
-    Ok(Surface::total(lists.into_iter().map(terms_of).collect::<Result<_, _>>()?)?)
+    Ok(Surface::total(lists.into_iter().map(|raw| terms_of(raw, decimals)).collect::<Result<_, _>>()?)?)
 }
 
 /// The terms of one coordinate, read by the least total degree.
-fn terms(raw: &RawValue) -> Result<Surface, Fault> {
-    Ok(Surface::total(vec![terms_of(raw)?])?)
+fn terms(raw: &RawValue, decimals: &mut Decimals) -> Result<Surface, Fault> {
+    Ok(Surface::total(vec![terms_of(raw, decimals)?])?)
 }
 
-fn terms_of(raw: &RawValue) -> Result<Vec<Term>, Fault> {
+fn terms_of(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Term>, Fault> {
     let term = |raw: &RawValue| match list(raw, "the value")?.as_slice() {
-        [h, k, c] => Ok((count(h, "an exponent")?, count(k, "an exponent")?, number(c)?)),
+        [h, k, c] => Ok((count(h, "an exponent")?, count(k, "an exponent")?, number(c, decimals)?)),
         other => Err(Fault::new("wrong-count", format!("a term is [h, k, coefficient], found {} entries", other.len()))),
     };
     list(raw, "the value")?.into_iter().map(term).collect()
 }
 
 /// Points `[u, v]`, or homogeneous ones `[u, v, w]`.
-fn plane_arguments(raw: &RawValue, weighting: Weighting) -> Result<Vec<PlaneParameter>, Fault> {
+fn plane_arguments(raw: &RawValue, weighting: Weighting, decimals: &mut Decimals) -> Result<Vec<PlaneParameter>, Fault> {
     let size = if weighting == Weighting::Points { 2 } else { 3 };
     let argument = |raw: &RawValue| {
-        let mut found = numbers(raw, "an argument")?;
+        let mut found = numbers(raw, "an argument", decimals)?;
         if found.len() != size {
             return Err(Fault::new("wrong-count", format!("an argument has {size} numbers, found {}", found.len())));
         }
@@ -233,14 +234,14 @@ fn plane_arguments(raw: &RawValue, weighting: Weighting) -> Result<Vec<PlanePara
     list(raw, "the value")?.into_iter().map(argument).collect()
 }
 
-fn curve(raw: &RawValue) -> Result<Curve, Fault> {
+fn curve(raw: &RawValue, decimals: &mut Decimals) -> Result<Curve, Fault> {
     let fields = Fields::of(raw, "a curve")?;
     fields.only(&["degree", "coeffs"], "a curve")?;
     let degree = count(fields.require("degree", "a curve")?, "the degree")?;
     let lists: Vec<&RawValue> = list(fields.require("coeffs", "a curve")?, "the coefficients")?;
     let mut coordinates = Vec::with_capacity(lists.len());
     for list in lists {
-        let coefficients = numbers(list, "a coordinate")?;
+        let coefficients = numbers(list, "a coordinate", decimals)?;
         if coefficients.len() != degree + 1 {
             let message = format!("degree {degree} needs {} coefficients a coordinate, found {}", degree + 1, coefficients.len());
             return Err(Fault::new("wrong-count", message));
@@ -251,8 +252,8 @@ fn curve(raw: &RawValue) -> Result<Curve, Fault> {
 }
 
 /// Pairs `[t, w]`.
-fn homogeneous(raw: &RawValue) -> Result<Vec<Parameter>, Fault> {
-    points(raw)
+fn homogeneous(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Parameter>, Fault> {
+    points(raw, decimals)
         .or_else(|fault| if raw.get().trim() == "[]" { Ok(Vec::new()) } else { Err(fault) })?
         .into_iter()
         .map(|pair| match <[_; 2]>::try_from(pair) {
@@ -278,17 +279,17 @@ fn syntax_fault(error: &SyntaxError, text: &str) -> Fault {
 }
 
 /// `{"matrix": [[…], …], "shift": […]}`
-fn map(raw: &RawValue) -> Result<AffineMap, Fault> {
+fn map(raw: &RawValue, decimals: &mut Decimals) -> Result<AffineMap, Fault> {
     let fields = Fields::of(raw, "an affine map")?;
     fields.only(&["matrix", "shift"], "an affine map")?;
-    let rows = points(fields.require("matrix", "an affine map")?)?;
-    Ok(AffineMap::new(rows, numbers(fields.require("shift", "an affine map")?, "the shift")?)?)
+    let rows = points(fields.require("matrix", "an affine map")?, decimals)?;
+    Ok(AffineMap::new(rows, numbers(fields.require("shift", "an affine map")?, "the shift", decimals)?)?)
 }
 
 /// `{"normal": […], "offset": c}` for the points where `normal · x + c = 0`.
-fn plane(raw: &RawValue) -> Result<AffineMap, Fault> {
+fn plane(raw: &RawValue, decimals: &mut Decimals) -> Result<AffineMap, Fault> {
     let fields = Fields::of(raw, "a plane")?;
     fields.only(&["normal", "offset"], "a plane")?;
-    let normal = numbers(fields.require("normal", "a plane")?, "the normal")?;
-    Ok(AffineMap::new(vec![normal], vec![number(fields.require("offset", "a plane")?)?])?)
+    let normal = numbers(fields.require("normal", "a plane")?, "the normal", decimals)?;
+    Ok(AffineMap::new(vec![normal], vec![number(fields.require("offset", "a plane")?, decimals)?])?)
 }

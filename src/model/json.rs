@@ -7,6 +7,7 @@ use serde::de::{DeserializeOwned, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
 
+use super::decimals::Decimals;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::syntax::limits::MAX_DEGREE;
@@ -148,13 +149,13 @@ pub(crate) fn count(raw: &RawValue, what: &str) -> Result<usize, Fault> {
 /// A number, exactly.
 ///
 /// # Errors
-/// `bad-number`, `too-large` beyond the limit of digits, `wrong-shape` if it is
+/// `bad-number`, `too-large` beyond the limits of digits, `wrong-shape` if it is
 /// neither a string nor a number.
-pub fn number(raw: &RawValue) -> Result<Rational, Fault> {
+pub fn number(raw: &RawValue, decimals: &mut Decimals) -> Result<Rational, Fault> {
     let text = raw.get();
     let parsed = match text.as_bytes().first() {
-        Some(b'"') => plain::<String>(raw, "a number")?.parse(),
-        Some(b'-' | b'0'..=b'9') => text.parse(),
+        Some(b'"') => decimals.read(&plain::<String>(raw, "a number")?),
+        Some(b'-' | b'0'..=b'9') => decimals.read(text),
         _ => return Err(Fault::new("wrong-shape", format!("expected a number, found {}", excerpt(text)))),
     };
     parsed.map_err(|error| {
@@ -167,8 +168,8 @@ pub fn number(raw: &RawValue) -> Result<Rational, Fault> {
 ///
 /// # Errors
 /// As for [`number`], and `wrong-shape` if it is no list.
-pub fn numbers(raw: &RawValue, what: &str) -> Result<Vec<Rational>, Fault> {
-    list(raw, what)?.into_iter().map(number).collect()
+pub fn numbers(raw: &RawValue, what: &str, decimals: &mut Decimals) -> Result<Vec<Rational>, Fault> {
+    list(raw, what)?.into_iter().map(|item| number(item, decimals)).collect()
 }
 
 /// A list of points; a number is a point of the line.
@@ -176,18 +177,28 @@ pub fn numbers(raw: &RawValue, what: &str) -> Result<Vec<Rational>, Fault> {
 /// # Errors
 /// As for [`numbers`], `wrong-count` for points of different dimensions,
 /// `too-large` for more points than the limit of degrees allows.
-pub fn points(raw: &RawValue) -> Result<Vec<Vec<Rational>>, Fault> {
-    let points = list_of_points(raw, "points")?;
+pub fn points(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Vec<Rational>>, Fault> {
+    points_up_to(raw, MAX_POINTS, decimals)
+}
+
+/// A list of points with a limit of its own.
+///
+/// # Errors
+/// As for [`points`].
+pub(crate) fn points_up_to(raw: &RawValue, most: usize, decimals: &mut Decimals) -> Result<Vec<Vec<Rational>>, Fault> {
+    let points = list_of_points(raw, "points", most, decimals)?;
     check_dimensions(points.iter())?;
     Ok(points)
 }
 
-fn list_of_points(raw: &RawValue, what: &str) -> Result<Vec<Vec<Rational>>, Fault> {
+fn list_of_points(raw: &RawValue, what: &str, most: usize, decimals: &mut Decimals) -> Result<Vec<Vec<Rational>>, Fault> {
     let items = list(raw, what)?;
-    if items.len() > MAX_DEGREE as usize + 1 {
-        return Err(Fault::new("too-large", format!("at most {} points, found {}", MAX_DEGREE + 1, items.len())));
+    if items.len() > most {
+        return Err(Fault::new("too-large", format!("at most {most} points, found {}", items.len())));
     }
-    let point = |item: &RawValue| if item.get().starts_with('[') { numbers(item, "a point") } else { Ok(vec![number(item)?]) };
+    let point = |item: &RawValue| {
+        if item.get().starts_with('[') { numbers(item, "a point", decimals) } else { Ok(vec![number(item, decimals)?]) }
+    };
     items.into_iter().map(point).collect()
 }
 
@@ -195,16 +206,22 @@ fn list_of_points(raw: &RawValue, what: &str) -> Result<Vec<Vec<Rational>>, Faul
 ///
 /// # Errors
 /// As for [`points`].
-pub fn rows(raw: &RawValue) -> Result<Vec<Vec<Vec<Rational>>>, Fault> {
+pub fn rows(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Vec<Vec<Rational>>>, Fault> {
     let items = list(raw, "rows of points")?;
-    if items.len() > MAX_DEGREE as usize + 1 {
-        return Err(Fault::new("too-large", format!("at most {} rows of points, found {}", MAX_DEGREE + 1, items.len())));
+    if items.len() > MAX_POINTS {
+        return Err(Fault::new("too-large", format!("at most {MAX_POINTS} rows of points, found {}", items.len())));
     }
-    let rows: Vec<Vec<Vec<Rational>>> =
-        items.into_iter().enumerate().map(|(index, row)| list_of_points(row, &format!("row {index}"))).collect::<Result<_, _>>()?;
+    let rows: Vec<Vec<Vec<Rational>>> = items
+        .into_iter()
+        .enumerate()
+        .map(|(index, row)| list_of_points(row, &format!("row {index}"), MAX_POINTS, decimals))
+        .collect::<Result<_, _>>()?;
     check_dimensions(rows.iter().flatten())?;
     Ok(rows)
 }
+
+/// The most points of a curve, and of a row of a patch.
+const MAX_POINTS: usize = MAX_DEGREE as usize + 1;
 
 fn check_dimensions<'p>(points: impl Iterator<Item = &'p Vec<Rational>> + Clone) -> Result<(), Fault> {
     let dimension = points.clone().next().map_or(0, Vec::len);

@@ -103,6 +103,7 @@ pub fn read(text: &str, format: Format) -> Result<Model, Flaw> {
         Format::Newell => newell::read(text),
         Format::Svg => svg::read(text),
         Format::Glif => glif::read(text),
+        Format::Shape => shape::read(text),
         _ => Err(Flaw::of_file("TODO")),
     }
 }

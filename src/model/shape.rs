@@ -2,13 +2,18 @@
 
 use serde_json::value::RawValue;
 
-use super::json::{Fault, Fields, count, depth, list, number, numbers, plain, points, rows};
+use super::decimals::Decimals;
+use super::json::{Fault, Fields, count, depth, excerpt, list, number, numbers, plain, points, points_up_to, rows};
+use super::{Flaw, Follow, Format, Model, Part, Place, Places};
 use crate::affine::{Frame, Interval, Rectangle, Triangle};
+use crate::error::Error;
 use crate::exact::Rational;
 use crate::piece::Piece;
 use crate::rectangular::RectangularPatch;
 use crate::segment::Segment;
+use crate::spline::Spline;
 use crate::triangular::TriangularPatch;
+use crate::weights::homogeneous_points;
 
 /// What a shape file holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,7 +29,7 @@ pub struct ShapeFile {
     pub has_frame: bool,
 }
 
-/// Reads a shape file:
+/// Reads a shape file that holds one piece:
 ///
 /// ```json
 /// {"kind": "curve", "degree": 1, "frame": ["-1", "3"], "points": [["0", "0"], ["1/3", "0.25"]]}
@@ -38,86 +43,291 @@ pub struct ShapeFile {
 /// What is wrong with it: not JSON, an unknown member, a number or a count
 /// that does not fit, a kind that is not supported.
 pub fn read_shape(text: &str) -> Result<ShapeFile, Fault> {
-    let raw: &RawValue = serde_json::from_str(text).map_err(|error| Fault::new("bad-json", format!("not JSON: {error}")))?;
-    let fields = Fields::of(raw, "a shape")?;
-    let kind: String = plain(fields.require("kind", "a shape")?, "the name of a kind")?;
-    let what = format!("a shape of kind {kind}");
-    if !matches!(kind.as_str(), "curve" | "triangle" | "rectangle") {
-        return Err(Fault::new(
+    let shape = Shape::of(serde_json::from_str(text).map_err(|error| Fault::new("bad-json", format!("not JSON: {error}")))?)?;
+    match shape.kind {
+        Kind::Spline | Kind::Model => Err(Fault::new(
             "unsupported",
-            format!("shapes of kind `{}` are not supported here; curve, triangle and rectangle are", super::json::excerpt(&kind)),
-        ));
+            format!("shapes of kind `{}` are not supported here; curve, triangle and rectangle are", shape.kind.name()),
+        )),
+        kind => shape.piece(kind, &mut Decimals::default()),
     }
-    fields.only(&["kind", "degree", "frame", "points", "weights", "name"], &what)?;
-    let (control, degree) = (fields.require("points", &what)?, fields.require("degree", &what)?);
-    let given = fields.get("frame").map(frame).transpose()?;
-    let has_frame = given.is_some();
-    let wrong_frame = || Fault::new("wrong-shape", format!("the frame is not that of {what}"));
-    let piece = match kind.as_str() {
-        "triangle" => {
-            let frame = match given {
-                None => Triangle::standard(),
-                Some(Frame::Triangle(frame)) => frame,
-                Some(_) => return Err(wrong_frame()),
-            };
-            let (rows, degree) = (rows(control)?, count(degree, "the degree")?);
-            let patch = TriangularPatch::from_rows(rows, frame)?;
-            if patch.degree() != degree {
-                return Err(Fault::new(
-                    "wrong-count",
-                    format!("degree {degree} needs {} rows of points, found {}", degree + 1, patch.degree() + 1),
-                ));
-            }
-            Piece::Triangle(patch)
-        }
-        "rectangle" => {
-            let frame = match given {
-                None => Rectangle::unit(),
-                Some(Frame::Rectangle(frame)) => frame,
-                Some(_) => return Err(wrong_frame()),
-            };
-            let patch = RectangularPatch::from_rows(rows(control)?, frame)?;
-            let (p, q): (usize, usize) = plain(degree, "a bidegree [p, q]")?;
-            if patch.degree() != (p, q) {
-                let found = patch.degree();
-                return Err(Fault::new(
-                    "wrong-count",
-                    format!("bidegree [{p}, {q}] needs {} rows of {} points, found {} of {}", p + 1, q + 1, found.0 + 1, found.1 + 1),
-                ));
-            }
-            Piece::Rectangle(patch)
-        }
-        _ => {
-            let frame = match given {
-                None => Interval::unit(),
-                Some(Frame::Interval(frame)) => frame,
-                Some(_) => return Err(wrong_frame()),
-            };
-            let (control, degree) = (points(control)?, count(degree, "the degree")?);
-            if control.len() != degree + 1 {
-                return Err(Fault::new("wrong-count", format!("degree {degree} needs {} points, found {}", degree + 1, control.len())));
-            }
-            Piece::Curve(Segment::from_points(control, frame)?)
-        }
-    };
-    let weights = fields.get("weights").map(weights).transpose()?;
-    if let Some(weights) = weights.as_ref().filter(|weights| weights.len() != piece.points().len()) {
-        return Err(Fault::new("wrong-count", format!("{} points need as many weights, found {}", piece.points().len(), weights.len())));
-    }
-    let name = fields.get("name").map(|raw| plain(raw, "a name")).transpose()?;
-    Ok(ShapeFile { name, piece, weights, has_frame })
 }
 
+/// Reads a shape file of any kind: one piece, a spline, or a model with a list
+/// of both.
+pub(super) fn read(text: &str) -> Result<Model, Flaw> {
+    let mut reader =
+        ModelReader { text, places: Places::new(text), decimals: Decimals::default(), parts: Vec::new(), joints: Vec::new(), splines: 0 };
+    let place_of_error = |error: &serde_json::Error| Place {
+        line: u32::try_from(error.line()).unwrap_or(u32::MAX).max(1),
+        column: u32::try_from(error.column()).unwrap_or(u32::MAX).max(1),
+    };
+    let raw: &RawValue =
+        serde_json::from_str(text).map_err(|error| Flaw::at(place_of_error(&error), format!("not JSON: {}", without_place(&error))))?;
+    match Shape::of(raw) {
+        Ok(shape) if shape.kind == Kind::Model => {
+            let pieces = shape.pieces().map_err(|fault| reader.flaw(raw, fault))?;
+            for raw in pieces {
+                reader.add(raw)?;
+            }
+        }
+        _ => reader.add(raw)?,
+    }
+    let ModelReader { decimals, parts, joints, .. } = reader;
+    Ok(Model { joints, ..Model::of_patches(Format::Shape, parts, decimals.finest()) })
+}
+
+/// What `serde_json` says, without the line and column behind it.
+fn without_place(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    match message.rfind(" at line ") {
+        Some(end) => message[..end].to_owned(),
+        None => message,
+    }
+}
+
+/// The pieces of a shape file as they are read.
+struct ModelReader<'a> {
+    text: &'a str,
+    places: Places<'a>,
+    decimals: Decimals,
+    parts: Vec<Part>,
+    joints: Vec<Follow>,
+    splines: usize,
+}
+
+impl<'a> ModelReader<'a> {
+    /// Adds a piece or the pieces of a spline.
+    fn add(&mut self, raw: &'a RawValue) -> Result<(), Flaw> {
+        self.pieces_of(raw).map_err(|fault| self.flaw(raw, fault))
+    }
+
+    fn pieces_of(&mut self, raw: &'a RawValue) -> Result<(), Fault> {
+        let shape = Shape::of(raw)?;
+        let place = self.place(raw);
+        match shape.kind {
+            Kind::Model => Err(Fault::new("unsupported", "a model holds pieces and splines, no other models")),
+            Kind::Spline => {
+                let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
+                let first = self.parts.len();
+                for segment in spline.pieces()? {
+                    self.parts.push(Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place });
+                }
+                let contour = self.splines;
+                self.splines += 1;
+                let joint = |node| Follow { first: first + node, second: first + node + 1, contour, node, place, smooth: false };
+                self.joints.extend((0..self.parts.len() - first - 1).map(joint));
+                Ok(())
+            }
+            kind => {
+                let ShapeFile { name, piece, weights, has_frame } = shape.piece(kind, &mut self.decimals)?;
+                let rational = weights.is_some();
+                let piece = match weights {
+                    Some(weights) => homogeneous(&piece, &weights)?,
+                    None => piece,
+                };
+                self.parts.push(Part { piece, rational, has_frame, name, place });
+                Ok(())
+            }
+        }
+    }
+
+    fn place(&mut self, raw: &RawValue) -> Place {
+        // Raw values are parts of the text.
+        self.places.of((raw.get().as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
+    }
+
+    fn flaw(&mut self, raw: &RawValue, fault: Fault) -> Flaw {
+        Flaw::at(self.place(raw), fault.message)
+    }
+}
+
+/// The piece whose points `(w b, w)` have the weight as their last coordinate.
+fn homogeneous(piece: &Piece, weights: &[Rational]) -> Result<Piece, Error> {
+    let points: Vec<Vec<Rational>> = piece.points().map(<[Rational]>::to_vec).collect();
+    let points = homogeneous_points(&points, weights)?;
+    Ok(match piece {
+        Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
+        Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
+        Piece::Rectangle(patch) => Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?),
+    })
+}
+
+/// The kinds of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Curve,
+    Triangle,
+    Rectangle,
+    Spline,
+    Model,
+}
+
+impl Kind {
+    const ALL: [Self; 5] = [Self::Curve, Self::Triangle, Self::Rectangle, Self::Spline, Self::Model];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Curve => "curve",
+            Self::Triangle => "triangle",
+            Self::Rectangle => "rectangle",
+            Self::Spline => "spline",
+            Self::Model => "model",
+        }
+    }
+}
+
+/// An object that says what kind of shape it is.
+struct Shape<'a> {
+    kind: Kind,
+    fields: Fields<'a>,
+    what: String,
+}
+
+/// A spline of a shape file; its points have the weight as their last coordinate if it is rational.
+struct SplineFile {
+    name: Option<String>,
+    spline: Spline,
+    rational: bool,
+}
+
+impl<'a> Shape<'a> {
+    fn of(raw: &'a RawValue) -> Result<Self, Fault> {
+        let fields = Fields::of(raw, "a shape")?;
+        let name: String = plain(fields.require("kind", "a shape")?, "the name of a kind")?;
+        match Kind::ALL.into_iter().find(|kind| kind.name() == name) {
+            Some(kind) => Ok(Self { kind, fields, what: format!("a shape of kind {name}") }),
+            None => {
+                let known = Kind::ALL.map(Kind::name).join(", ");
+                Err(Fault::new("unsupported", format!("shapes of kind `{}` are not supported; {known} are", excerpt(&name))))
+            }
+        }
+    }
+
+    fn require(&self, name: &str) -> Result<&'a RawValue, Fault> {
+        self.fields.require(name, &self.what)
+    }
+
+    fn name(&self) -> Result<Option<String>, Fault> {
+        self.fields.get("name").map(|raw| plain(raw, "a name")).transpose()
+    }
+
+    /// The pieces of a model.
+    fn pieces(&self) -> Result<Vec<&'a RawValue>, Fault> {
+        self.fields.only(&["kind", "pieces", "name"], &self.what)?;
+        self.name()?;
+        list(self.require("pieces")?, "the pieces")
+    }
+
+    fn spline(&self, decimals: &mut Decimals) -> Result<SplineFile, Fault> {
+        self.fields.only(&["kind", "degree", "knots", "points", "weights", "name"], &self.what)?;
+        let control = points_up_to(self.require("points")?, MAX_SPLINE_POINTS, decimals)?;
+        let finest = decimals.finest();
+        let knots = numbers(self.require("knots")?, "the knots", decimals)?;
+        let weights = self.weights(control.len(), decimals)?;
+        decimals.restore(finest);
+        let degree = count(self.require("degree")?, "the degree")?;
+        let (control, rational) = match weights {
+            Some(weights) => (homogeneous_points(&control, &weights)?, true),
+            None => (control, false),
+        };
+        Ok(SplineFile { name: self.name()?, spline: Spline::new(degree, knots, control)?, rational })
+    }
+
+    fn weights(&self, count: usize, decimals: &mut Decimals) -> Result<Option<Vec<Rational>>, Fault> {
+        let weights = self.fields.get("weights").map(|raw| weights(raw, decimals)).transpose()?;
+        match weights {
+            Some(weights) if weights.len() != count => {
+                Err(Fault::new("wrong-count", format!("{count} points need as many weights, found {}", weights.len())))
+            }
+            weights => Ok(weights),
+        }
+    }
+
+    fn piece(&self, kind: Kind, decimals: &mut Decimals) -> Result<ShapeFile, Fault> {
+        self.fields.only(&["kind", "degree", "frame", "points", "weights", "name"], &self.what)?;
+        let (control, degree) = (self.require("points")?, self.require("degree")?);
+        let finest = decimals.finest();
+        let given = self.fields.get("frame").map(|raw| frame(raw, decimals)).transpose()?;
+        decimals.restore(finest);
+        let has_frame = given.is_some();
+        let wrong_frame = || Fault::new("wrong-shape", format!("the frame is not that of {}", self.what));
+        let piece = match kind {
+            Kind::Triangle => {
+                let frame = match given {
+                    None => Triangle::standard(),
+                    Some(Frame::Triangle(frame)) => frame,
+                    Some(_) => return Err(wrong_frame()),
+                };
+                Piece::Triangle(triangle(rows(control, decimals)?, count(degree, "the degree")?, frame)?)
+            }
+            Kind::Rectangle => {
+                let frame = match given {
+                    None => Rectangle::unit(),
+                    Some(Frame::Rectangle(frame)) => frame,
+                    Some(_) => return Err(wrong_frame()),
+                };
+                Piece::Rectangle(rectangle(rows(control, decimals)?, plain(degree, "a bidegree [p, q]")?, frame)?)
+            }
+            _ => {
+                let frame = match given {
+                    None => Interval::unit(),
+                    Some(Frame::Interval(frame)) => frame,
+                    Some(_) => return Err(wrong_frame()),
+                };
+                Piece::Curve(curve(points(control, decimals)?, count(degree, "the degree")?, frame)?)
+            }
+        };
+        let finest = decimals.finest();
+        let weights = self.weights(piece.points().len(), decimals)?;
+        decimals.restore(finest);
+        Ok(ShapeFile { name: self.name()?, piece, weights, has_frame })
+    }
+}
+
+/// The most points of one spline; its work has a limit of its own.
+const MAX_SPLINE_POINTS: usize = 1 << 20;
+
+fn triangle(rows: Vec<Vec<Vec<Rational>>>, degree: usize, frame: Triangle) -> Result<TriangularPatch, Fault> {
+    let patch = TriangularPatch::from_rows(rows, frame)?;
+    if patch.degree() != degree {
+        return Err(Fault::new(
+            "wrong-count",
+            format!("degree {degree} needs {} rows of points, found {}", degree + 1, patch.degree() + 1),
+        ));
+    }
+    Ok(patch)
+}
+
+fn rectangle(rows: Vec<Vec<Vec<Rational>>>, (p, q): (usize, usize), frame: Rectangle) -> Result<RectangularPatch, Fault> {
+    let patch = RectangularPatch::from_rows(rows, frame)?;
+    let found = patch.degree();
+    if found != (p, q) {
+        let (rows, columns) = (p.saturating_add(1), q.saturating_add(1));
+        return Err(Fault::new(
+            "wrong-count",
+            format!("bidegree [{p}, {q}] needs {rows} rows of {columns} points, found {} of {}", found.0 + 1, found.1 + 1),
+        ));
+    }
+    Ok(patch)
+}
+
+fn curve(points: Vec<Vec<Rational>>, degree: usize, frame: Interval) -> Result<Segment, Fault> {
+    if points.len() != degree + 1 {
+        return Err(Fault::new("wrong-count", format!("degree {degree} needs {} points, found {}", degree + 1, points.len())));
+    }
+    Ok(Segment::from_points(points, frame)?)
+}
 /// Weights arranged like control points: a list, or rows.
 ///
 /// # Errors
 /// As for [`numbers`].
-pub(crate) fn weights(raw: &RawValue) -> Result<Vec<Rational>, Fault> {
+pub(crate) fn weights(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Rational>, Fault> {
     if depth(raw) < 2 {
-        return numbers(raw, "weights");
+        return numbers(raw, "weights", decimals);
     }
     let rows: Vec<Vec<Rational>> =
-        list(raw, "rows of weights")?.into_iter().map(|row| numbers(row, "a row of weights")).collect::<Result<_, _>>()?;
+        list(raw, "rows of weights")?.into_iter().map(|row| numbers(row, "a row of weights", decimals)).collect::<Result<_, _>>()?;
     Ok(rows.into_iter().flatten().collect())
 }
 
@@ -126,8 +336,8 @@ pub(crate) fn weights(raw: &RawValue) -> Result<Vec<Rational>, Fault> {
 /// # Errors
 /// `wrong-count` for other numbers of numbers, `degenerate-frame` if the
 /// vertices are dependent.
-pub(crate) fn frame(raw: &RawValue) -> Result<Frame<Rational>, Fault> {
-    let interval = |raw: &RawValue| match <[_; 2]>::try_from(numbers(raw, "a frame")?) {
+pub(crate) fn frame(raw: &RawValue, decimals: &mut Decimals) -> Result<Frame<Rational>, Fault> {
+    let mut interval = |raw: &RawValue| match <[_; 2]>::try_from(numbers(raw, "a frame", decimals)?) {
         Ok([r, s]) => Ok(Interval::new(r, s)?),
         Err(ends) => Err(Fault::new("wrong-count", format!("a frame has 2 numbers [r, s], found {}", ends.len()))),
     };
@@ -138,7 +348,7 @@ pub(crate) fn frame(raw: &RawValue) -> Result<Frame<Rational>, Fault> {
     match parts.as_slice() {
         [u, v] => Ok(Rectangle::new(interval(u)?, interval(v)?).into()),
         [_, _, _] => {
-            let vertex = |raw: &RawValue| match <[Rational; 2]>::try_from(numbers(raw, "a vertex")?) {
+            let mut vertex = |raw: &RawValue| match <[Rational; 2]>::try_from(numbers(raw, "a vertex", decimals)?) {
                 Ok(vertex) => Ok(vertex),
                 Err(found) => Err(Fault::new("wrong-count", format!("a vertex of a triangle has 2 numbers, found {}", found.len()))),
             };
@@ -152,8 +362,8 @@ pub(crate) fn frame(raw: &RawValue) -> Result<Frame<Rational>, Fault> {
 ///
 /// # Errors
 /// As for [`numbers`].
-pub(crate) fn place(raw: &RawValue) -> Result<Vec<Rational>, Fault> {
-    if depth(raw) == 0 { Ok(vec![number(raw)?]) } else { numbers(raw, "a parameter") }
+pub(crate) fn place(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Rational>, Fault> {
+    if depth(raw) == 0 { Ok(vec![number(raw, decimals)?]) } else { numbers(raw, "a parameter", decimals) }
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
             "path" | "polyline" | "polygon" => {
                 let name = if element.name() == "path" { "d" } else { "points" };
                 if let Some(attribute) = element.attribute(name, tags.places())? {
-                    let mut reader = PathReader::new(&attribute, tags.places(), &mut outline, &mut decimals);
+                    let reader = PathReader::new(&attribute, tags.places(), &mut outline, &mut decimals);
                     match element.name() {
                         "path" => reader.path()?,
                         shape => reader.polygon(shape == "polygon")?,
