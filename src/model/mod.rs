@@ -1,6 +1,8 @@
 //! Shapes in files and requests, exactly as they are written: numbers are read
 //! digit by digit and never seen as floats.
 
+mod bezierview;
+mod bpt;
 mod decimals;
 mod format;
 mod glif;
@@ -104,6 +106,8 @@ pub fn read(text: &str, format: Format) -> Result<Model, Flaw> {
         Format::Svg => svg::read(text),
         Format::Glif => glif::read(text),
         Format::Shape => shape::read(text),
+        Format::Bpt => bpt::read(text),
+        Format::BezierView => bezierview::read(text),
         _ => Err(Flaw::of_file("TODO")),
     }
 }

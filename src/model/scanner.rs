@@ -129,13 +129,14 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Coordinates, appended to a list.
-    pub(super) fn numbers(&mut self, count: usize, into: &mut Vec<Rational>, expected: impl std::fmt::Display) -> Result<(), Flaw> {
-        into.reserve(count.min(self.left() / 2 + 1));
-        for _ in 0..count {
-            into.push(self.number(&expected)?);
+    /// The coordinates of so many points, point by point.
+    pub(super) fn points(&mut self, count: usize, dimension: usize) -> Result<Vec<Rational>, Flaw> {
+        let all = count.saturating_mul(dimension);
+        let mut coordinates = Vec::with_capacity(all.min(self.left() / 2 + 1));
+        for _ in 0..all {
+            coordinates.push(self.number(format_args!("a coordinate, {dimension} for each of {count} points"))?);
         }
-        Ok(())
+        Ok(coordinates)
     }
 
     /// A whole number that is not negative.
