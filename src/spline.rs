@@ -84,15 +84,11 @@ impl Spline {
         Ok(spline)
     }
 
-    /// What the pieces cost: for each of their points the algorithm of de Boor,
-    /// whose numbers lengthen by those of the knots at each of its `m` levels;
-    /// lowest terms make a step quadratic in the length.
-    fn steps(&self) -> u64 {
+    /// What the pieces cost.
+    pub(crate) fn steps(&self) -> u64 {
         let longest = |numbers: &mut dyn Iterator<Item = &Rational>| numbers.map(Rational::bits).max().unwrap_or(0);
-        let bits = longest(&mut self.points.iter().flatten()) + 4 * self.degree as u64 * longest(&mut self.knots.iter());
-        let (levels, dimension) = (self.degree as u64 + 1, self.points[0].len() as u64);
-        let words = bits / 64 + 16;
-        [levels, levels, levels, dimension, words, words].into_iter().fold(self.intervals().count() as u64, u64::saturating_mul)
+        let bits = (longest(&mut self.points.iter().flatten()), longest(&mut self.knots.iter()));
+        piece_steps(self.degree, self.points[0].len(), bits).saturating_mul(self.intervals().count() as u64)
     }
 
     /// The degree `m`.
@@ -197,4 +193,14 @@ impl Spline {
         knots.insert(k + 1, knot.clone());
         Self::new(m, knots, points)
     }
+}
+
+/// What the points of one piece cost, given the bits of control points and of
+/// parameters: for each of them the algorithm of de Boor or de Casteljau, whose
+/// numbers lengthen by those of the parameters at each of its `m` levels;
+/// lowest terms make a step quadratic in the length.
+pub(crate) fn piece_steps(degree: usize, dimension: usize, (points, parameters): (u64, u64)) -> u64 {
+    let levels = degree as u64 + 1;
+    let words = (points + 4 * degree as u64 * parameters) / 64 + 16;
+    [levels, levels, dimension as u64, words, words].into_iter().fold(levels, u64::saturating_mul)
 }

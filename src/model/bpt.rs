@@ -40,7 +40,12 @@ mod tests {
     fn flaws() {
         for (text, line, column, message) in [
             ("", 1, 1, "the file ends here, expected the number of patches"),
-            ("2\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 1\n", 6, 6, "the file ends here, expected the degree of a patch in u, a whole number up to 4096"),
+            (
+                "2\n1 1\n0 0 0\n0 1 0\n1 0 0\n1 1 1\n",
+                6,
+                6,
+                "the file ends here, expected the degree of a patch in u, a whole number up to 4096",
+            ),
             ("1\n0 1\n0 0 0\n0 1\n", 4, 4, "the file ends here, expected a coordinate, 3 for each of 2 points"),
             ("1\n0 1\n0 0 0\n0 NaN 1\n", 4, 3, "found `NaN`, expected a coordinate, 3 for each of 2 points"),
             ("1\n1000000000 1\n", 2, 1, "found `1000000000`, expected the degree of a patch in u, a whole number up to 4096"),

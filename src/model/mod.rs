@@ -12,7 +12,9 @@ mod outline;
 mod place;
 mod scanner;
 mod shape;
+mod splines;
 mod svg;
+mod wavefront;
 mod xml;
 
 use crate::affine::Rectangle;
@@ -108,7 +110,7 @@ pub fn read(text: &str, format: Format) -> Result<Model, Flaw> {
         Format::Shape => shape::read(text),
         Format::Bpt => bpt::read(text),
         Format::BezierView => bezierview::read(text),
-        _ => Err(Flaw::of_file("TODO")),
+        Format::Wavefront => wavefront::read(text),
     }
 }
 

@@ -4,7 +4,6 @@
 
 use super::scanner::{Scanner, Word};
 use super::{Flaw, Format, Model, Part};
-use crate::exact::Rational;
 
 /// The points of a bicubic net.
 const POINTS: usize = 16;
@@ -49,8 +48,11 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
         if net.iter().any(|&index| index as usize > vertices) {
             return Err(beyond(&mut scanner, at, vertices));
         }
-        let coordinates: Vec<Rational> =
-            net.iter().flat_map(|&index| points[3 * (index as usize - 1)..3 * index as usize].iter().cloned()).collect();
+        let mut coordinates = Vec::with_capacity(3 * POINTS);
+        for index in net {
+            let end = 3 * index as usize;
+            scanner.copies(&points[end - 3..end], at, &mut coordinates)?;
+        }
         parts.push(Part::patch((3, 3), 3, coordinates, scanner.place(at)));
     }
     Ok(Model::of_patches(Format::Newell, parts, scanner.decimals.finest()))

@@ -139,6 +139,15 @@ impl<'a> Scanner<'a> {
         Ok(coordinates)
     }
 
+    /// Copies of numbers that were read, which may be used again and again.
+    pub(super) fn copies(&mut self, numbers: &[Rational], at: usize, into: &mut Vec<Rational>) -> Result<(), Flaw> {
+        for number in numbers {
+            self.decimals.hold(number).map_err(|error| Flaw::at(self.places.of(at), format!("the points are too long: {error}")))?;
+            into.push(number.clone());
+        }
+        Ok(())
+    }
+
     /// A whole number that is not negative.
     pub(super) fn count(&mut self, expected: impl std::fmt::Display) -> Result<usize, Flaw> {
         let word = self.next();

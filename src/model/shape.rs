@@ -4,6 +4,7 @@ use serde_json::value::RawValue;
 
 use super::decimals::Decimals;
 use super::json::{Fault, Fields, count, depth, excerpt, list, number, numbers, plain, points, points_up_to, rows};
+use super::splines::SplineWork;
 use super::{Flaw, Follow, Format, Model, Part, Place, Places};
 use crate::affine::{Frame, Interval, Rectangle, Triangle};
 use crate::error::Error;
@@ -56,8 +57,15 @@ pub fn read_shape(text: &str) -> Result<ShapeFile, Fault> {
 /// Reads a shape file of any kind: one piece, a spline, or a model with a list
 /// of both.
 pub(super) fn read(text: &str) -> Result<Model, Flaw> {
-    let mut reader =
-        ModelReader { text, places: Places::new(text), decimals: Decimals::default(), parts: Vec::new(), joints: Vec::new(), splines: 0 };
+    let mut reader = ModelReader {
+        text,
+        places: Places::new(text),
+        decimals: Decimals::default(),
+        parts: Vec::new(),
+        joints: Vec::new(),
+        splines: 0,
+        work: SplineWork::default(),
+    };
     let place_of_error = |error: &serde_json::Error| Place {
         line: u32::try_from(error.line()).unwrap_or(u32::MAX).max(1),
         column: u32::try_from(error.column()).unwrap_or(u32::MAX).max(1),
@@ -94,6 +102,7 @@ struct ModelReader<'a> {
     parts: Vec<Part>,
     joints: Vec<Follow>,
     splines: usize,
+    work: SplineWork,
 }
 
 impl<'a> ModelReader<'a> {
@@ -110,7 +119,7 @@ impl<'a> ModelReader<'a> {
             Kind::Spline => {
                 let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
                 let first = self.parts.len();
-                for segment in spline.pieces()? {
+                for segment in self.work.pieces(&spline)? {
                     self.parts.push(Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place });
                 }
                 let contour = self.splines;
