@@ -169,7 +169,7 @@ impl Panel {
         let fitting = |text: &str, size: f64| -> String {
             // The end of a path says more than its beginning.
             let mut shown: &str = text;
-            while width(shown, size) > wide && shown.len() > 4 {
+            while 1.15 * width(shown, size) > wide && shown.len() > 4 {
                 let mut letters = shown.chars();
                 letters.next();
                 shown = letters.as_str();
@@ -244,14 +244,17 @@ fn subtitle(files: &[File]) -> String {
 }
 
 /// A picture of files, one panel each: the pieces, and the joins in the colour
-/// of their verdict; those with violations first. What a dot is can be read by
-/// pointing at it.
+/// of their verdict. Where joins are violated, only the files with such joins are
+/// shown. What a dot is can be read by pointing at it.
 ///
 /// # Errors
 /// [`Error::TooLarge`] for more than [`MAX_DRAWN`] pieces.
 pub fn joins(files: &[File]) -> Result<String, Error> {
     let mut examined: Vec<(&File, &Examined)> = files.iter().filter_map(|file| Some((file, file.outcome.as_ref().ok()?))).collect();
-    examined.sort_by_key(|(_, examined)| std::cmp::Reverse(examined.failures().count().min(1)));
+    // Where something fails, what does not only hides it.
+    if examined.iter().any(|(_, examined)| examined.failures().next().is_some()) {
+        examined.retain(|(_, examined)| examined.failures().next().is_some());
+    }
     let left_out = examined.len().saturating_sub(MAX_PANELS);
     examined.truncate(MAX_PANELS);
     if examined.iter().map(|(_, examined)| examined.model.parts.len()).sum::<usize>() > MAX_DRAWN {

@@ -49,13 +49,6 @@ impl Format {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
-    /// The format that the beginning of a text shows.
-    #[must_use]
-    pub fn of_content(text: &str) -> Option<Self> {
-        let _ = text;
-        None
-    }
-
     /// The format that a file's ending says it has.
     #[must_use]
     pub fn of_path(path: &Path) -> Option<Self> {
