@@ -8,36 +8,90 @@ use num_bigint::{BigInt, BigUint};
 use num_integer::Integer as _;
 use num_traits::{One, Zero};
 
-use super::field::{Series, binomials};
+use super::field::{Field, Series, binomials, product};
 use super::lattice::Whole;
 use crate::exact::Rational;
 
 /// How many parts of an edge are looked at for the bounds.
 const MAX_PARTS: usize = 48;
 
-/// The bits that coefficients are cut to, outward.
-const BITS: u64 = 60;
+/// The bits that coefficients are cut to: sums of products of two fit two words.
+const BITS: u64 = 56;
 
 /// A polynomial over a part of the edge, enclosed: its Bernstein coefficients
 /// lie between these integers, times a power of two that all parts share.
 #[derive(Clone, Debug)]
-struct Enclosure {
+pub(super) struct Enclosure {
     coefficients: Vec<(i64, i64)>,
 }
 
+/// Series cut to words, over one power of two; what was cut off is less than 1.
+struct Cut {
+    series: Vec<Vec<i64>>,
+    shift: u64,
+}
+
+impl Cut {
+    fn of<'a, W: Whole + 'a>(series: impl Iterator<Item = &'a Series<W>> + Clone) -> Self {
+        let shift = series.clone().flatten().map(Whole::bits).max().unwrap_or(0).saturating_sub(BITS);
+        Self { series: series.map(|series| series.iter().map(|number| number.shifted(shift)).collect()).collect(), shift }
+    }
+}
+
 impl Enclosure {
-    /// Encloses a series; gives the power of two too.
-    fn of<W: Whole>(series: &[W]) -> (Self, u64) {
-        let exact: Vec<BigInt> = series.iter().cloned().map(Into::into).collect();
-        let shift = exact.iter().map(BigInt::bits).max().unwrap_or(0).saturating_sub(BITS);
-        let weights = binomials::<BigInt>(series.len() - 1);
-        let enclose = |(number, weight): (&BigInt, &BigInt)| {
-            let divisor = weight << shift;
-            let (low, high) = (number.div_floor(&divisor), number.div_ceil(&divisor));
-            // Cut to fewer than 63 bits above.
-            (i64::try_from(low).unwrap_or(i64::MIN), i64::try_from(high).unwrap_or(i64::MAX))
+    /// Encloses what lies between two series of the same length, coefficients
+    /// still times binomial numbers; gives the power of two that was taken out.
+    fn between(low: &[i128], high: &[i128]) -> (Self, i64) {
+        let bits = low.iter().chain(high).map(Whole::bits).max().unwrap_or(0);
+        // Small numbers get as many bits behind the point.
+        let shift = bits as i64 - 62;
+        let scaled = |number: i128| if shift > 0 { number >> shift } else { number << -shift };
+        // Of degrees this high the middle numbers are longer than two words.
+        let weights: Vec<Option<i128>> = if low.len() <= 100 {
+            binomials::<i128>(low.len() - 1).into_iter().map(Some).collect()
+        } else {
+            binomials::<BigInt>(low.len() - 1).iter().map(i128::of_big).collect()
         };
-        (Self { coefficients: exact.iter().zip(&weights).map(enclose).collect() }, shift)
+        let enclose = |((low, high), weight): ((&i128, &i128), &Option<i128>)| {
+            // Outward: first by the power of two, then by the binomial number.
+            let down = |number: i128| weight.map_or(-i128::from(number < 0), |weight| scaled(number).div_euclid(weight));
+            (down(*low) as i64, -down(-high) as i64)
+        };
+        (Self { coefficients: low.iter().zip(high).zip(&weights).map(enclose).collect() }, shift)
+    }
+
+    /// Encloses a series; gives the power of two too.
+    fn of<W: Whole>(series: &Series<W>) -> (Self, i64) {
+        let Cut { series, shift } = Cut::of(std::iter::once(series));
+        let low: Vec<i128> = series[0].iter().copied().map(i128::from).collect();
+        let high: Vec<i128> = low.iter().map(|number| number + i128::from(shift > 0)).collect();
+        let (enclosure, more) = Self::between(&low, &high);
+        (enclosure, shift as i64 + more)
+    }
+
+    /// Encloses the scalar product of two fields; gives the power of two too.
+    pub(super) fn dot<W: Whole>(a: &Field<W>, b: &Field<W>) -> (Self, i64) {
+        let (a, b) = (Cut::of(a.coordinates.iter()), Cut::of(b.coordinates.iter()));
+        let count = a.series[0].len() + b.series[0].len() - 1;
+        let (mut low, mut high) = (vec![0i128; count], vec![0i128; count]);
+        let (loose_a, loose_b) = (i128::from(a.shift > 0), i128::from(b.shift > 0));
+        for (x, y) in a.series.iter().zip(&b.series) {
+            for (i, &x) in x.iter().enumerate() {
+                for (j, &y) in y.iter().enumerate() {
+                    let (x, y) = (i128::from(x), i128::from(y));
+                    // (x + δ)(y + ε) with δ, ε from 0 to 1 where something was cut off.
+                    low[i + j] += x * y + loose_b * x.min(0) + loose_a * y.min(0);
+                    high[i + j] += x * y + loose_b * x.max(0) + loose_a * y.max(0) + loose_a * loose_b;
+                }
+            }
+        }
+        let (enclosure, shift) = Self::between(&low, &high);
+        (enclosure, (a.shift + b.shift) as i64 + shift)
+    }
+
+    /// Whether it is negative all over the edge, for certain.
+    pub(super) fn is_negative(&self) -> bool {
+        self.coefficients.iter().all(|(_, high)| *high < 0)
     }
 
     /// The two halves, by de Casteljau's algorithm with outward rounding.
@@ -116,12 +170,13 @@ impl Part {
 }
 
 /// A lower and an upper bound of the largest squared sine along the edge, both
-/// certain; at most 1. The polynomials are `|a|²`, `det(a, p, r)`, `|a × p|²`
-/// and `|a × r|²`.
-pub(super) fn squared_sine<W: Whole>(polynomials: [&Series<W>; 4]) -> [Rational; 2] {
-    let [along, determinant, first, second] = polynomials.map(|series| Enclosure::of(series));
+/// certain; at most 1. Given are `a`, the normals `a × p` and `a × r`, and
+/// `det(a, p, r)`.
+pub(super) fn squared_sine<W: Whole>(along: &Field<W>, normals: [&Field<W>; 2], determinant: &Series<W>) -> [Rational; 2] {
+    let [first, second] = normals.map(|normal| Enclosure::dot(normal, normal));
+    let (along, determinant) = (Enclosure::dot(along, along), Enclosure::of(determinant));
     // The powers of two that were taken out: of |a|² det², and of the divisor.
-    let (numer_shift, denom_shift) = (along.1 + 2 * determinant.1, first.1 + second.1);
+    let shift = along.1 + 2 * determinant.1 - first.1 - second.1;
     let mut parts = vec![Part::new([along.0, determinant.0, first.0, second.0])];
     let mut lower = Bound { numer: BigUint::zero(), denom: BigUint::one() };
     let mut finished: Option<Bound> = None;
@@ -150,7 +205,7 @@ pub(super) fn squared_sine<W: Whole>(polynomials: [&Series<W>; 4]) -> [Rational;
         if bound.denom.is_zero() {
             return Rational::from(1);
         }
-        rounded(bound.numer << numer_shift, &(bound.denom << denom_shift), upward).min(Rational::from(1))
+        rounded(bound.numer << shift.max(0), &(bound.denom << (-shift).max(0)), upward).min(Rational::from(1))
     };
     [value(lower, false), upper.map_or_else(|| Rational::from(1), |bound| value(bound, true))]
 }
@@ -170,11 +225,13 @@ pub(super) fn rounded(numer: BigUint, denom: &BigUint, upward: bool) -> Rational
 
 /// Whether `bound |a × p|² |a × r|² - |a|² det²` is nowhere negative on the
 /// edge: the angle's squared sine is at most `bound`, decided exactly.
-pub(super) fn is_within(bound: &Rational, [along, determinant, first, second]: [&Series<BigInt>; 4]) -> bool {
-    use super::field::product;
+pub(super) fn is_within(bound: &Rational, along: &Field<BigInt>, into: [&Field<BigInt>; 2]) -> bool {
+    let [first, second] = into.map(|into| along.cross(into));
+    let determinant = first.dot(into[1]);
+    let (along, first, second) = (along.dot(along), first.dot(&first), second.dot(&second));
     let (numer, denom) = (bound.numer(), bound.denom());
-    let allowed: Series<BigInt> = product(first, second).into_iter().map(|c| c * &numer).collect();
-    let found: Series<BigInt> = product(along, &product(determinant, determinant)).into_iter().map(|c| c * &denom).collect();
+    let allowed: Series<BigInt> = product(&first, &second).into_iter().map(|c| c * &numer).collect();
+    let found: Series<BigInt> = product(&along, &product(&determinant, &determinant)).into_iter().map(|c| c * &denom).collect();
     // Both to the same degree.
     let degree = allowed.len().max(found.len());
     let raise = |series: &Series<BigInt>| product(series, &binomials(degree - series.len()));
@@ -198,12 +255,36 @@ mod tests {
         assert!(!low.is_negative());
     }
 
+    fn field<W: Whole>(vectors: [[i64; 3]; 3], factor: i64) -> Field<W> {
+        let number = |axis: usize, k: usize| W::of_big(&(BigInt::from(vectors[k][axis]) * factor)).expect("it fits");
+        Field { coordinates: (0..3).map(|axis| (0..3).map(|k| number(axis, k)).collect()).collect() }
+    }
+
+    fn bounds<W: Whole>(a: [[i64; 3]; 3], p: [[i64; 3]; 3], r: [[i64; 3]; 3], factor: i64) -> [Rational; 2] {
+        let (a, p, r) = (field::<W>(a, factor), field::<W>(p, factor), field::<W>(r, factor));
+        let normals = [&a.cross(&p), &a.cross(&r)];
+        squared_sine(&a, normals, &normals[0].dot(&r))
+    }
+
     #[test]
-    fn a_constant_angle_is_enclosed() {
-        // |a|² = 1, det = 3, |a × p|² = 5², |a × r|² = 1: sin² = 9/25.
-        let series = [1, 3, 25, 1].map(|c| vec![i128::from(c)]);
-        let [low, high] = squared_sine([&series[0], &series[1], &series[2], &series[3]]);
-        assert!(low <= Rational::new(9, 25) && Rational::new(9, 25) <= high);
-        assert!(&high - &low < Rational::new(1, 100));
+    fn angles_are_enclosed() {
+        // a = (1, 0, 0), p = (0, -1, 0), r = (0, 4, 3): sin² = 9/25 all along; degree 2 in other words.
+        let constant = |v: [i64; 3]| [v, v.map(|c| 2 * c), v];
+        let (a, p, r) = (constant([1, 0, 0]), constant([0, -1, 0]), constant([0, 4, 3]));
+        for [low, high] in [bounds::<i128>(a, p, r, 1), bounds::<BigInt>(a, p, r, 1), bounds::<BigInt>(a, p, r, i64::MAX)] {
+            assert!(low <= Rational::new(9, 25) && Rational::new(9, 25) <= high, "{low} {high}");
+            assert!(&high - &low < Rational::new(1, 100));
+        }
+    }
+
+    #[test]
+    fn wide_and_narrow_integers_agree_up_to_the_cut() {
+        let (a, p, r) = ([[3, 1, 0], [7, -2, 5], [4, 0, 1]], [[0, -5, 1], [2, -9, 3], [1, -4, 0]], [[1, 6, 0], [-3, 11, 2], [0, 5, 1]]);
+        let plain = bounds::<i128>(a, p, r, 1);
+        for factor in [1, 1 << 20, 1 << 40] {
+            let [low, high] = bounds::<BigInt>(a, p, r, factor);
+            assert!(low <= plain[1] && plain[0] <= high && low <= high);
+            assert!((&high - &low) * Rational::from(32) < high, "{low} {high}");
+        }
     }
 }

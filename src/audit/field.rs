@@ -4,6 +4,8 @@
 //! Coefficients are those of Bernstein's polynomials times binomial numbers, so
 //! that a product is a convolution and nothing is divided.
 
+use num_bigint::BigInt;
+
 use super::lattice::{Points, View, Whole};
 use crate::exact::width::Ring;
 use crate::side::Arrangement;
@@ -38,15 +40,14 @@ pub(super) fn product<W: Whole>(a: &[W], b: &[W]) -> Series<W> {
 
 /// The binomial numbers of a degree.
 pub(super) fn binomials<W: Whole>(degree: usize) -> Vec<W> {
-    let mut row = vec![W::unit()];
-    for _ in 0..degree {
-        let mut next = vec![W::unit(); row.len() + 1];
-        for (k, pair) in row.windows(2).enumerate() {
-            next[k + 1] = pair[0].clone();
-            next[k + 1].add(&pair[1]);
-        }
-        row = next;
+    let mut row = Vec::with_capacity(degree + 1);
+    let mut number = W::unit();
+    for k in 0..degree {
+        row.push(number.clone());
+        number.multiply(&W::from_count(degree - k));
+        number.divide_exactly(&W::from_count(k + 1));
     }
+    row.push(number);
     row
 }
 
@@ -63,6 +64,12 @@ impl<W: Whole> Field<W> {
 
     pub(super) fn is_zero(&self) -> bool {
         self.coordinates.iter().flatten().all(W::is_nothing)
+    }
+
+    /// The same vectors with numbers of any length.
+    pub(super) fn widened(&self) -> Field<BigInt> {
+        let wide = |series: &Series<W>| series.iter().cloned().map(Into::into).collect();
+        Field { coordinates: self.coordinates.iter().map(wide).collect() }
     }
 
     /// The same vectors, written with a higher degree.

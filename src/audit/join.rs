@@ -4,17 +4,18 @@ use num_bigint::{BigInt, BigUint};
 use num_traits::{Signed, Zero};
 
 use super::angle;
-use super::field::{Fields, fields};
-use super::lattice::{Lattice, Points, View, Visitor};
+use super::field::{Field, Fields, fields};
+use super::lattice::{Lattice, Points, View, Visitor, Whole};
 use super::mates::Mate;
 use super::offset::{Columns, is_explained_by_rounding, least_move};
 use super::order;
 use super::pair::Pair;
 use super::requirement::Requirement;
-use super::tangent::{AnglePolynomials, Contact, Tangency, of_curves, of_patches};
+use super::tangent::{Contact, Tangency, of_curves, of_patches};
 use super::tolerance::Tolerance;
 use crate::continuity::Continuity;
 use crate::exact::Rational;
+use crate::exact::width::Ring;
 use crate::model::Model;
 use crate::side::{Arrangement, Side};
 
@@ -106,10 +107,11 @@ pub struct Join {
     pub requirement: Option<Requirement>,
     /// The verdict.
     pub verdict: Verdict,
-    /// The joint itself: the control points of the first part there, without weights.
+    /// The joint itself: the control points of the first part there; of patches
+    /// only where there is something to find.
     pub points: Vec<Vec<Rational>>,
     /// The differences behind the joint, first into the first part, then into the
-    /// second; in the scale of the file.
+    /// second; as for `points`, and none of rational pieces.
     pub handles: [Vec<Vec<Rational>>; 2],
 }
 
@@ -183,10 +185,8 @@ impl Visitor for Judge<'_> {
             rounding: Rounding::Unknown,
             requirement,
             verdict: Verdict::Reported,
-            points: (0..a.columns(0)).map(|column| scaled(a.point(0, column), &self.lattice.scale)).collect(),
-            handles: handles.as_ref().map_or_else(Default::default, |handles| {
-                handles.each_ref().map(|columns| columns.iter().map(|column| scaled(column.clone(), &self.lattice.scale)).collect())
-            }),
+            points: Vec::new(),
+            handles: Default::default(),
         };
         let required = requirement.unwrap_or(Requirement::G1);
         join.rounding = self.rounding(&join, required, handles.as_ref(), &pair);
@@ -194,10 +194,15 @@ impl Visitor for Judge<'_> {
             join.verdict = self.verdict(&join, requirement, &pair, || {
                 let of_a = fields(&a, part_a.rational);
                 let of_b = fields(&b, part_b.rational);
-                let along = of_a.along.as_ref()?;
-                let AnglePolynomials(polynomials) = AnglePolynomials::of(along, &of_a.into, &of_b.into);
-                Some(polynomials.map(|series| series.into_iter().map(Into::into).collect()))
+                Some([of_a.along?.widened(), of_a.into.widened(), of_b.into.widened()])
             });
+        }
+        // What leads to a finding; most joins are none.
+        if matches!(join.verdict, Verdict::Violated | Verdict::Degenerate) || is_end(first.1) {
+            join.points = (0..a.columns(0)).map(|column| scaled(a.point(0, column), &self.lattice.scale)).collect();
+            if let Some(handles) = handles {
+                join.handles = handles.map(|columns| columns.into_iter().map(|column| scaled(column, &self.lattice.scale)).collect());
+            }
         }
         join
     }
@@ -213,14 +218,15 @@ fn scaled<W: Into<BigInt>>(numbers: Vec<W>, scale: &BigUint) -> Vec<Rational> {
 
 /// The differences behind a joint, column by column; none where the pieces have
 /// different numbers of them.
-fn handles<P: Points + ?Sized>(a: &View<'_, P>, b: &View<'_, P>) -> Option<[Columns; 2]> {
+fn handles<P: Points + ?Sized>(a: &View<'_, P>, b: &View<'_, P>) -> Option<[Columns<P::Number>; 2]> {
     if a.degree_across() == 0 || b.degree_across() == 0 || a.dimension() != b.dimension() || a.columns(1) != b.columns(1) {
         return None;
     }
-    let columns = |view: &View<'_, P>| -> Columns {
-        let entry = |column: usize, axis: usize| -> BigInt {
-            let (to, from): (BigInt, BigInt) = (view.get(1, column, axis).into(), view.get(0, column, axis).into());
-            to - from
+    let columns = |view: &View<'_, P>| -> Columns<P::Number> {
+        let entry = |column: usize, axis: usize| {
+            let mut difference = view.get(1, column, axis);
+            difference.subtract(&view.get(0, column, axis));
+            difference
         };
         (0..view.columns(1)).map(|column| (0..view.dimension()).map(|axis| entry(column, axis)).collect()).collect()
     };
@@ -228,7 +234,7 @@ fn handles<P: Points + ?Sized>(a: &View<'_, P>, b: &View<'_, P>) -> Option<[Colu
 }
 
 impl Judge<'_> {
-    fn tangency<W: super::lattice::Whole>(&self, a: Fields<W>, b: Fields<W>, pair: &Pair<'_>) -> Tangency {
+    fn tangency<W: Whole>(&self, a: Fields<W>, b: Fields<W>, pair: &Pair<'_>) -> Tangency {
         let Mate { first, second, .. } = self.mate;
         let parts = &self.model.parts;
         let mut tangency = match a.along {
@@ -245,7 +251,7 @@ impl Judge<'_> {
         tangency
     }
 
-    fn rounding(&self, join: &Join, requirement: Requirement, handles: Option<&[Columns; 2]>, pair: &Pair<'_>) -> Rounding {
+    fn rounding<W: Whole>(&self, join: &Join, requirement: Requirement, handles: Option<&[Columns<W>; 2]>, pair: &Pair<'_>) -> Rounding {
         if is_met(join, requirement) {
             return Rounding::Yes;
         }
@@ -270,7 +276,7 @@ impl Judge<'_> {
         join: &Join,
         requirement: Requirement,
         pair: &Pair<'_>,
-        polynomials: impl FnOnce() -> Option<[Vec<BigInt>; 4]>,
+        fields: impl FnOnce() -> Option<[Field<BigInt>; 3]>,
     ) -> Verdict {
         if is_met(join, requirement) {
             return Verdict::Exact;
@@ -287,7 +293,7 @@ impl Judge<'_> {
         if requirement == Requirement::C0 {
             return if snapped { Verdict::Within } else { Verdict::Violated };
         }
-        let angle = tolerance.sin2().map(|bound| self.is_angle_within(join, bound, polynomials));
+        let angle = tolerance.sin2().map(|bound| self.is_angle_within(join, bound, fields));
         let moved = tolerance.unit().map(|unit| {
             let allowed = unit.pow(2);
             let move2 = if requirement.is_geometric() { join.offset2.clone() } else { pair.least_move(requirement.order()) };
@@ -305,7 +311,7 @@ impl Judge<'_> {
     }
 
     /// Whether the angle is at most the one that was stated, decided exactly.
-    fn is_angle_within(&self, join: &Join, bound: &Rational, polynomials: impl FnOnce() -> Option<[Vec<BigInt>; 4]>) -> bool {
+    fn is_angle_within(&self, join: &Join, bound: &Rational, fields: impl FnOnce() -> Option<[Field<BigInt>; 3]>) -> bool {
         let Some([low, high]) = &join.sin2 else { return false };
         if join.obtuse || low > bound {
             return false;
@@ -313,7 +319,7 @@ impl Judge<'_> {
         if high <= bound {
             return true;
         }
-        polynomials().is_some_and(|polynomials| angle::is_within(bound, polynomials.each_ref()))
+        fields().is_some_and(|[along, a, b]| angle::is_within(bound, &along, [&a, &b]))
     }
 }
 

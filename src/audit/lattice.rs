@@ -11,10 +11,43 @@ use crate::model::Part;
 use crate::side::{Arrangement, Side};
 
 /// The integers that joins are judged with, wide enough by a bound beforehand.
-pub(super) trait Whole: Ring + Ord + Into<BigInt> + Send + Sync {}
+pub(super) trait Whole: Ring + Ord + Into<BigInt> + Send + Sync {
+    /// The number of bits of the absolute value.
+    fn bits(&self) -> u64;
+    /// The number over a power of two, rounded down; the caller knows that it fits.
+    fn shifted(&self, shift: u64) -> i64;
+    /// The integer.
+    fn of_big(value: &BigInt) -> Option<Self>;
+}
 
-impl Whole for i128 {}
-impl Whole for BigInt {}
+impl Whole for i128 {
+    fn bits(&self) -> u64 {
+        u64::from(128 - self.unsigned_abs().leading_zeros())
+    }
+
+    fn shifted(&self, shift: u64) -> i64 {
+        (self >> shift.min(127)) as i64
+    }
+
+    fn of_big(value: &BigInt) -> Option<Self> {
+        Self::try_from(value).ok()
+    }
+}
+
+impl Whole for BigInt {
+    fn bits(&self) -> u64 {
+        Self::bits(self)
+    }
+
+    fn shifted(&self, shift: u64) -> i64 {
+        // A shift of a negative number rounds down too.
+        i64::try_from(self >> shift).unwrap_or(if self.sign() == num_bigint::Sign::Minus { i64::MIN } else { i64::MAX })
+    }
+
+    fn of_big(value: &BigInt) -> Option<Self> {
+        Some(value.clone())
+    }
+}
 
 /// The coordinates of all control points, times the common denominator.
 #[derive(Debug)]

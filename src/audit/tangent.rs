@@ -3,7 +3,7 @@
 use num_bigint::{BigInt, BigUint};
 use num_traits::{Signed, Zero};
 
-use super::angle;
+use super::angle::{self, Enclosure};
 use super::field::{Field, Series};
 use super::lattice::Whole;
 use super::sign;
@@ -109,21 +109,6 @@ pub(super) fn of_curves<W: Whole>(a: &Field<W>, b: &Field<W>) -> Tangency {
     Tangency { contact: Contact::Kink, ratio: None, sin2: Some([sin2.clone(), sin2]), obtuse: !ab.is_negative() }
 }
 
-/// The polynomials that the angle between tangent planes is made of: `|a|²`,
-/// `det(a, p, r)`, `|a × p|²`, `|a × r|²`.
-pub(super) struct AnglePolynomials<W>(pub(super) [Series<W>; 4]);
-
-impl<W: Whole> AnglePolynomials<W> {
-    pub(super) fn of(along: &Field<W>, p: &Field<W>, r: &Field<W>) -> Self {
-        let (first, second) = (along.cross(p), along.cross(r));
-        Self([along.dot(along), first.dot(r), first.dot(&first), second.dot(&second)])
-    }
-}
-
-fn whole<W: Whole>(series: &[W]) -> Vec<BigInt> {
-    series.iter().cloned().map(Into::into).collect()
-}
-
 /// Two patches along an edge, `along` in its direction, `p` and `r` into them.
 /// `sheared` allows the cross-boundary differences of triangles to be compared
 /// up to a multiple of the derivative along the edge.
@@ -146,18 +131,18 @@ pub(super) fn of_patches<W: Whole>(along: &Field<W>, p: &Field<W>, r: &Field<W>,
     }
     // Only where a × p is zero all along there is no plane; single points do not matter
     // to a constant ratio, by continuity.
-    let first = along.cross(p);
-    if first.is_zero() || along.cross(r).is_zero() {
+    let (first, second) = (along.cross(p), along.cross(r));
+    if first.is_zero() || second.is_zero() {
         return Tangency::of(Contact::NoTangentPlane);
     }
     if ratio.is_some() {
         return Tangency { ratio, ..Tangency::of(Contact::Smooth) };
     }
-    let second = along.cross(r);
-    let cosine = first.dot(&second);
-    let side = sign::first_sign(&whole(&cosine));
-    if first.dot(r).iter().all(W::is_nothing) {
-        let normal = |normal: &Field<W>| sign::is_nowhere_zero(&whole(&normal.dot(normal)));
+    let determinant = first.dot(r);
+    if determinant.iter().all(W::is_nothing) {
+        let [first, second] = [&first, &second].map(Field::widened);
+        let side = sign::first_sign(&first.dot(&second));
+        let normal = |normal: &Field<BigInt>| sign::is_nowhere_zero(&normal.dot(normal));
         let contact = match (side < 0, normal(&first) && normal(&second)) {
             (false, true) => Contact::Fold,
             (true, true) => Contact::Smooth,
@@ -165,10 +150,12 @@ pub(super) fn of_patches<W: Whole>(along: &Field<W>, p: &Field<W>, r: &Field<W>,
         };
         return Tangency::of(contact);
     }
-    let AnglePolynomials([a, b, c, d]) = AnglePolynomials::of(along, p, r);
-    let sin2 = angle::squared_sine([&a, &b, &c, &d]);
-    // Acute all along if it is at one end and the cosine has no zero.
-    let acute = side < 0 && (cosine.iter().all(|c| *c < W::nothing()) || sign::is_nowhere_zero(&whole(&cosine)));
+    let sin2 = angle::squared_sine(along, [&first, &second], &determinant);
+    // Acute all along if the scalar product of the normals is negative everywhere.
+    let acute = Enclosure::dot(&first, &second).0.is_negative() || {
+        let cosine = first.widened().dot(&second.widened());
+        sign::first_sign(&cosine) < 0 && sign::is_nowhere_zero(&cosine)
+    };
     Tangency { contact: Contact::Kink, ratio: None, sin2: Some(sin2), obtuse: !acute }
 }
 
