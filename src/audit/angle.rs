@@ -287,4 +287,21 @@ mod tests {
             assert!((&high - &low) * Rational::from(32) < high, "{low} {high}");
         }
     }
+
+    #[test]
+    fn the_largest_angle_is_between_the_bounds() {
+        // The exact decision along the whole edge is the twin of the bounds.
+        let mut state = 1u64;
+        let mut number = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as i64 % 10
+        };
+        for _ in 0..60 {
+            let [a, p, r] = [0, 1, 2].map(|_| [0, 1, 2].map(|_| [number(), number(), number()]));
+            let [low, high] = bounds::<i128>(a, p, r, 1);
+            let (a, p, r) = (field::<BigInt>(a, 1), field::<BigInt>(p, 1), field::<BigInt>(r, 1));
+            assert!(low <= high && is_within(&high, &a, [&p, &r]), "{high} is exceeded");
+            assert!(low.is_zero() || !is_within(&(&low * Rational::new(999, 1000)), &a, [&p, &r]), "{low} is not reached");
+        }
+    }
 }
