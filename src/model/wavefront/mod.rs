@@ -3,6 +3,8 @@
 
 mod element;
 mod statement;
+#[cfg(test)]
+mod tests;
 
 use super::scanner::read_scanned;
 use super::splines::SplineWork;
