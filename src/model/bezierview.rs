@@ -2,7 +2,7 @@
 //! *BezierView File Format*).
 
 use super::scanner::{Scanner, Word};
-use super::{Flaw, Format, Model, Omission, Part};
+use super::{Flaw, Format, Model, Omission, Part, group_name};
 use crate::affine::Triangle;
 use crate::control::ControlNet;
 use crate::kernel::shape::Shape;
@@ -31,7 +31,7 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
     while let Some(word) = scanner.next() {
         if word.text.eq_ignore_ascii_case("group") {
             scanner.count("the number of the group")?;
-            name = Some(scanner.rest_of_line().to_owned()).filter(|name| !name.is_empty());
+            name = group_name(scanner.rest_of_line());
             continue;
         }
         let place = scanner.place(word.at);

@@ -13,7 +13,7 @@ pub struct Decimals {
 
 impl Decimals {
     /// The most words that the long numbers of one file may take together.
-    pub const MAX_WORDS: usize = 1 << 22;
+    pub const MAX_WORDS: usize = 1 << 20;
     /// Numbers up to so many words are no longer than they look.
     const FREE_WORDS: u64 = 8;
 

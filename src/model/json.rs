@@ -3,6 +3,8 @@
 //! A number is a string (`"7/3"`, `"0.25"`) or a JSON number, and is never
 //! seen as a float: values are taken as raw text and read by the exact parser.
 
+use std::collections::HashSet;
+
 use serde::de::{DeserializeOwned, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use serde_json::value::RawValue;
@@ -49,10 +51,9 @@ impl<'a> Fields<'a> {
     pub fn of(raw: &'a RawValue, what: &str) -> Result<Self, Fault> {
         let Members(members) = serde_json::from_str(raw.get())
             .map_err(|_| Fault::new("wrong-shape", format!("{what} must be an object, found {}", excerpt(raw.get()))))?;
-        for (index, (name, _)) in members.iter().enumerate() {
-            if members[..index].iter().any(|(earlier, _)| earlier == name) {
-                return Err(Fault::new("wrong-shape", format!("{what} has `{}` twice", excerpt(name))));
-            }
+        let mut seen = HashSet::with_capacity(members.len());
+        if let Some((name, _)) = members.iter().find(|(name, _)| !seen.insert(name)) {
+            return Err(Fault::new("wrong-shape", format!("{what} has `{}` twice", excerpt(name))));
         }
         Ok(Self { members })
     }

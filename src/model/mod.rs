@@ -121,6 +121,13 @@ impl Model {
     }
 }
 
+/// The name of a group, which each of its pieces has: so it is shortened.
+fn group_name(name: &str) -> Option<String> {
+    const LENGTH: usize = 200;
+    let name = name.trim();
+    (!name.is_empty()).then(|| name.chars().take(LENGTH).collect())
+}
+
 impl Part {
     /// A polynomial patch over the unit square, with its coordinates point by point.
     fn patch((p, q): (usize, usize), dimension: usize, coordinates: Vec<Rational>, place: Place) -> Self {

@@ -75,12 +75,12 @@ impl<'a> Scanner<'a> {
         word
     }
 
-    /// The rest of the line, without blanks around it.
+    /// The rest of the line.
     pub(super) fn rest_of_line(&mut self) -> &'a str {
         let rest = &self.text[self.at..];
         let length = rest.find('\n').unwrap_or(rest.len());
         self.at += length;
-        rest[..length].trim()
+        &rest[..length]
     }
 
     /// The bytes that are left to read. Everything takes at least two, with the

@@ -5,7 +5,7 @@ use serde_json::value::RawValue;
 use super::decimals::Decimals;
 use super::json::{Fault, Fields, count, depth, excerpt, list, number, numbers, plain, points, points_up_to, rows};
 use super::splines::SplineWork;
-use super::{Flaw, Follow, Format, Model, Part, Place, Places};
+use super::{Flaw, Follow, Format, Model, Part, Place, Places, group_name};
 use crate::affine::{Frame, Interval, Rectangle, Triangle};
 use crate::error::Error;
 use crate::exact::Rational;
@@ -118,6 +118,7 @@ impl<'a> ModelReader<'a> {
             Kind::Model => Err(Fault::new("unsupported", "a model holds pieces and splines, no other models")),
             Kind::Spline => {
                 let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
+                let name = name.as_deref().and_then(group_name);
                 let first = self.parts.len();
                 for segment in self.work.pieces(&spline)? {
                     self.parts.push(Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place });

@@ -8,7 +8,7 @@ mod tests;
 
 use super::scanner::read_scanned;
 use super::splines::SplineWork;
-use super::{Decimals, Flaw, Follow, Format, Model, Omission, Part, Places};
+use super::{Decimals, Flaw, Follow, Format, Model, Omission, Part, Places, group_name};
 use crate::exact::{ParseNumberError, Rational};
 use crate::syntax::limits::MAX_DEGREE;
 use element::{Basis, Element};
@@ -79,7 +79,7 @@ impl<'a> Reader<'a> {
             "parm" => self.parameters(statement),
             "end" => self.end(statement),
             "o" | "g" => {
-                self.name = Some(statement.rest().to_owned()).filter(|name| !name.is_empty());
+                self.name = group_name(statement.rest());
                 Ok(())
             }
             "trim" | "hole" => self.omit(statement, "trimming is passed over, and the surface read as a whole"),

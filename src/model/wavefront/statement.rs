@@ -86,7 +86,7 @@ impl<'a> Statement<'a> {
 
     /// What stands behind the keyword.
     pub(super) fn rest(&self) -> &'a str {
-        self.rest.trim()
+        self.rest
     }
 
     /// The byte behind the last word.
