@@ -150,3 +150,81 @@ fn between(first: &Entry, second: &Entry) -> Node {
     let place: Place = first.node.place;
     Node { point, index: first.node.index, place, smooth: false }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of_points(points: &[(&str, &str)]) -> String {
+        let point = |(at, rest): &(&str, &str)| {
+            let (x, y) = at.split_once(' ').expect("two coordinates");
+            format!("<point x=\"{x}\" y=\"{y}\" {rest}/>\n")
+        };
+        format!("<glyph><outline><contour>\n{}</contour></outline></glyph>", points.iter().map(point).collect::<String>())
+    }
+
+    fn joints(points: &[(&str, &str)]) -> (usize, Vec<(usize, usize, usize, bool)>) {
+        let model = read(&of_points(points)).expect("a model");
+        (model.parts.len(), model.joints.iter().map(|joint| (joint.first, joint.second, joint.node, joint.smooth)).collect())
+    }
+
+    #[test]
+    fn contours_close_unless_they_begin_with_a_move() {
+        let line = "type='line'";
+        assert_eq!(joints(&[("0 0", line), ("1 0", line), ("1 1", line)]).1, [(0, 1, 1, false), (1, 2, 2, false), (2, 0, 0, false)]);
+        assert_eq!(joints(&[("0 0", "type='move'"), ("1 0", line), ("1 1", line)]), (2, vec![(0, 1, 1, false)]));
+        // A line that closes nothing is no piece, and either of its points may promise.
+        assert_eq!(
+            joints(&[("0 0", line), ("1 0", line), ("0 0", "type='line' smooth='yes'")]),
+            (2, vec![(0, 1, 1, false), (1, 0, 0, true)])
+        );
+        assert_eq!(joints(&[("0 0", line)]), (0, vec![]));
+        assert_eq!(joints(&[("0 0", "type='move'")]), (0, vec![]));
+        assert_eq!(joints(&[]), (0, vec![]));
+        assert_eq!(joints(&[("0 0", "")]), (0, vec![]));
+        assert_eq!(joints(&[("0 0", ""), ("1 0", ""), ("5 5", "type='curve' smooth='yes'")]), (1, vec![(0, 0, 2, true)]));
+    }
+
+    #[test]
+    fn degrees_follow_the_control_points() {
+        let degrees = |off: usize, kind: &str| {
+            let mut points = vec![("0 0", "type='move'")];
+            points.extend(std::iter::repeat_n(("1 1", ""), off));
+            points.push(("2 0", kind));
+            let parts = read(&of_points(&points)).map(|model| model.parts);
+            parts.map(|parts| parts.iter().map(|part| part.piece.points().len() - 1).collect::<Vec<_>>()).map_err(|flaw| flaw.message)
+        };
+        assert_eq!(degrees(0, "type='curve'"), Ok(vec![1]));
+        assert_eq!(degrees(1, "type='curve'"), Ok(vec![2]));
+        assert_eq!(degrees(2, "type='curve'"), Ok(vec![3]));
+        assert_eq!(degrees(0, "type='qcurve'"), Ok(vec![1]));
+        assert_eq!(degrees(4, "type='qcurve'"), Ok(vec![2; 4]));
+        assert_eq!(degrees(3, "type='curve'"), Err("found 3 control points of a curve, expected at most 2".into()));
+        assert_eq!(degrees(1, "type='line'"), Err("found a control point before a line, expected a point of the curve".into()));
+    }
+
+    #[test]
+    fn flaws() {
+        for (points, message) in [
+            (
+                &[("0 0", "type='line'"), ("1 0", "type='move'")][..],
+                "found a point of type `move` behind others, expected it first in its contour",
+            ),
+            (
+                &[("0 0", "type='line'"), ("1 0", "type='arc'")],
+                "found `arc`, expected the type of a point: move, line, curve, qcurve or offcurve",
+            ),
+            (
+                &[("0 0", "type='move'"), ("1 0", "")],
+                "found a control point at the end of an open contour, expected a point of the curve behind it",
+            ),
+            (&[("0 0", "type='move'"), ("1e 0", "")], "found `1e` as `x`: expected a number such as 5, -7/3, 0.25 or 1e-3"),
+        ] {
+            let flaw = read(&of_points(points)).expect_err(message);
+            assert_eq!((flaw.place, flaw.message.as_str()), (Some(Place { line: 3, column: 1 }), message));
+        }
+        let flaw = read("<glyph><outline><contour><point x='1'/></contour></outline></glyph>").expect_err("no y");
+        assert_eq!((flaw.place, flaw.message.as_str()), (Some(Place { line: 1, column: 26 }), "the point has no `y`"));
+        assert!(read("<plist/>").expect_err("no glyph").message.contains("found `<plist>`"));
+    }
+}

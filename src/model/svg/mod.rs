@@ -2,6 +2,8 @@
 //! (SVG) 2*, chapters 9 and 10).
 
 mod path;
+#[cfg(test)]
+mod tests;
 
 use super::outline::{Node, Outline};
 use super::xml::{Element, Tag, Tags};
