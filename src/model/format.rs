@@ -65,9 +65,7 @@ impl Format {
         ];
         endings.into_iter().find(|(ending, _)| name.ends_with(ending)).map(|(_, format)| format)
     }
-}
 
-impl Format {
     /// The format that the beginning of a file shows, for files whose ending
     /// says nothing.
     #[must_use]

@@ -128,6 +128,14 @@ fn group_name(name: &str) -> Option<String> {
     (!name.is_empty()).then(|| name.chars().take(LENGTH).collect())
 }
 
+impl Follow {
+    /// The joints of the pieces of one spline, which are these parts.
+    fn chain(parts: std::ops::Range<usize>, contour: usize, place: Place) -> impl Iterator<Item = Self> {
+        let ends = parts.clone().zip(parts.skip(1)).enumerate();
+        ends.map(move |(node, (first, second))| Self { first, second, contour, node, place, smooth: false })
+    }
+}
+
 impl Part {
     /// A polynomial patch over the unit square, with its coordinates point by point.
     fn patch((p, q): (usize, usize), dimension: usize, coordinates: Vec<Rational>, place: Place) -> Self {

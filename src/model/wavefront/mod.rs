@@ -218,8 +218,7 @@ impl<'a> Reader<'a> {
         if !element.is_surface {
             let (first, contour) = (self.parts.len(), self.curves);
             self.curves += 1;
-            let joint = |node| Follow { first: first + node, second: first + node + 1, contour, node, place: element.place, smooth: false };
-            self.joints.extend((0..pieces.len().saturating_sub(1)).map(joint));
+            self.joints.extend(Follow::chain(first..first + pieces.len(), contour, element.place));
         }
         let part = |piece| Part { piece, rational: element.rational, has_frame: true, name: self.name.clone(), place: element.place };
         self.parts.extend(pieces.into_iter().map(part));

@@ -1,13 +1,13 @@
 //! Shape files: pieces as JSON documents.
 
+mod frame;
+mod model;
+
 use serde_json::value::RawValue;
 
 use super::decimals::Decimals;
-use super::json::{Fault, Fields, count, depth, excerpt, list, number, numbers, plain, points, points_up_to, rows};
-use super::splines::SplineWork;
-use super::{Flaw, Follow, Format, Model, Part, Place, Places, group_name};
+use super::json::{Fault, Fields, count, depth, excerpt, list, numbers, plain, points, points_up_to, rows};
 use crate::affine::{Frame, Interval, Rectangle, Triangle};
-use crate::error::Error;
 use crate::exact::Rational;
 use crate::piece::Piece;
 use crate::rectangular::RectangularPatch;
@@ -15,6 +15,9 @@ use crate::segment::Segment;
 use crate::spline::Spline;
 use crate::triangular::TriangularPatch;
 use crate::weights::homogeneous_points;
+
+pub(crate) use frame::{frame, place};
+pub(super) use model::read;
 
 /// What a shape file holds.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,115 +55,6 @@ pub fn read_shape(text: &str) -> Result<ShapeFile, Fault> {
         )),
         kind => shape.piece(kind, &mut Decimals::default()),
     }
-}
-
-/// Reads a shape file of any kind: one piece, a spline, or a model with a list
-/// of both.
-pub(super) fn read(text: &str) -> Result<Model, Flaw> {
-    let mut reader = ModelReader {
-        text,
-        places: Places::new(text),
-        decimals: Decimals::default(),
-        parts: Vec::new(),
-        joints: Vec::new(),
-        splines: 0,
-        work: SplineWork::default(),
-    };
-    let place_of_error = |error: &serde_json::Error| Place {
-        line: u32::try_from(error.line()).unwrap_or(u32::MAX).max(1),
-        column: u32::try_from(error.column()).unwrap_or(u32::MAX).max(1),
-    };
-    let raw: &RawValue =
-        serde_json::from_str(text).map_err(|error| Flaw::at(place_of_error(&error), format!("not JSON: {}", without_place(&error))))?;
-    match Shape::of(raw) {
-        Ok(shape) if shape.kind == Kind::Model => {
-            let pieces = shape.pieces().map_err(|fault| reader.flaw(raw, fault))?;
-            for raw in pieces {
-                reader.add(raw)?;
-            }
-        }
-        _ => reader.add(raw)?,
-    }
-    let ModelReader { decimals, parts, joints, .. } = reader;
-    Ok(Model { joints, ..Model::of_patches(Format::Shape, parts, decimals.finest()) })
-}
-
-/// What `serde_json` says, without the line and column behind it.
-fn without_place(error: &serde_json::Error) -> String {
-    let message = error.to_string();
-    match message.rfind(" at line ") {
-        Some(end) => message[..end].to_owned(),
-        None => message,
-    }
-}
-
-/// The pieces of a shape file as they are read.
-struct ModelReader<'a> {
-    text: &'a str,
-    places: Places<'a>,
-    decimals: Decimals,
-    parts: Vec<Part>,
-    joints: Vec<Follow>,
-    splines: usize,
-    work: SplineWork,
-}
-
-impl<'a> ModelReader<'a> {
-    /// Adds a piece or the pieces of a spline.
-    fn add(&mut self, raw: &'a RawValue) -> Result<(), Flaw> {
-        self.pieces_of(raw).map_err(|fault| self.flaw(raw, fault))
-    }
-
-    fn pieces_of(&mut self, raw: &'a RawValue) -> Result<(), Fault> {
-        let shape = Shape::of(raw)?;
-        let place = self.place(raw);
-        match shape.kind {
-            Kind::Model => Err(Fault::new("unsupported", "a model holds pieces and splines, no other models")),
-            Kind::Spline => {
-                let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
-                let name = name.as_deref().and_then(group_name);
-                let first = self.parts.len();
-                for segment in self.work.pieces(&spline)? {
-                    self.parts.push(Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place });
-                }
-                let contour = self.splines;
-                self.splines += 1;
-                let joint = |node| Follow { first: first + node, second: first + node + 1, contour, node, place, smooth: false };
-                self.joints.extend((0..self.parts.len() - first - 1).map(joint));
-                Ok(())
-            }
-            kind => {
-                let ShapeFile { name, piece, weights, has_frame } = shape.piece(kind, &mut self.decimals)?;
-                let rational = weights.is_some();
-                let piece = match weights {
-                    Some(weights) => homogeneous(&piece, &weights)?,
-                    None => piece,
-                };
-                self.parts.push(Part { piece, rational, has_frame, name, place });
-                Ok(())
-            }
-        }
-    }
-
-    fn place(&mut self, raw: &RawValue) -> Place {
-        // Raw values are parts of the text.
-        self.places.of((raw.get().as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
-    }
-
-    fn flaw(&mut self, raw: &RawValue, fault: Fault) -> Flaw {
-        Flaw::at(self.place(raw), fault.message)
-    }
-}
-
-/// The piece whose points `(w b, w)` have the weight as their last coordinate.
-fn homogeneous(piece: &Piece, weights: &[Rational]) -> Result<Piece, Error> {
-    let points: Vec<Vec<Rational>> = piece.points().map(<[Rational]>::to_vec).collect();
-    let points = homogeneous_points(&points, weights)?;
-    Ok(match piece {
-        Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
-        Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
-        Piece::Rectangle(patch) => Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?),
-    })
 }
 
 /// The kinds of shapes.
@@ -339,41 +233,6 @@ pub(crate) fn weights(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Rat
     let rows: Vec<Vec<Rational>> =
         list(raw, "rows of weights")?.into_iter().map(|row| numbers(row, "a row of weights", decimals)).collect::<Result<_, _>>()?;
     Ok(rows.into_iter().flatten().collect())
-}
-
-/// A frame: `[r, s]`, three points of the plane, or two intervals.
-///
-/// # Errors
-/// `wrong-count` for other numbers of numbers, `degenerate-frame` if the
-/// vertices are dependent.
-pub(crate) fn frame(raw: &RawValue, decimals: &mut Decimals) -> Result<Frame<Rational>, Fault> {
-    let mut interval = |raw: &RawValue| match <[_; 2]>::try_from(numbers(raw, "a frame", decimals)?) {
-        Ok([r, s]) => Ok(Interval::new(r, s)?),
-        Err(ends) => Err(Fault::new("wrong-count", format!("a frame has 2 numbers [r, s], found {}", ends.len()))),
-    };
-    if depth(raw) < 2 {
-        return Ok(interval(raw)?.into());
-    }
-    let parts = list(raw, "a frame")?;
-    match parts.as_slice() {
-        [u, v] => Ok(Rectangle::new(interval(u)?, interval(v)?).into()),
-        [_, _, _] => {
-            let mut vertex = |raw: &RawValue| match <[Rational; 2]>::try_from(numbers(raw, "a vertex", decimals)?) {
-                Ok(vertex) => Ok(vertex),
-                Err(found) => Err(Fault::new("wrong-count", format!("a vertex of a triangle has 2 numbers, found {}", found.len()))),
-            };
-            Ok(Triangle::new(vertex(parts[0])?, vertex(parts[1])?, vertex(parts[2])?)?.into())
-        }
-        other => Err(Fault::new("wrong-count", format!("a frame has 3 vertices or 2 intervals, found {}", other.len()))),
-    }
-}
-
-/// A number or a list of numbers.
-///
-/// # Errors
-/// As for [`numbers`].
-pub(crate) fn place(raw: &RawValue, decimals: &mut Decimals) -> Result<Vec<Rational>, Fault> {
-    if depth(raw) == 0 { Ok(vec![number(raw, decimals)?]) } else { numbers(raw, "a parameter", decimals) }
 }
 
 #[cfg(test)]

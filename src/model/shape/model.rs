@@ -1,0 +1,124 @@
+//! Models: shape files with any number of pieces.
+
+use serde_json::value::RawValue;
+
+use super::{Kind, Shape, ShapeFile, SplineFile};
+use crate::error::Error;
+use crate::exact::Rational;
+use crate::model::decimals::Decimals;
+use crate::model::json::Fault;
+use crate::model::splines::SplineWork;
+use crate::model::{Flaw, Follow, Format, Model, Part, Place, Places, group_name};
+use crate::piece::Piece;
+use crate::rectangular::RectangularPatch;
+use crate::segment::Segment;
+use crate::triangular::TriangularPatch;
+use crate::weights::homogeneous_points;
+
+/// Reads a shape file of any kind: one piece, a spline, or a model with a list
+/// of both.
+pub(in crate::model) fn read(text: &str) -> Result<Model, Flaw> {
+    let mut reader = ModelReader {
+        text,
+        places: Places::new(text),
+        decimals: Decimals::default(),
+        parts: Vec::new(),
+        joints: Vec::new(),
+        splines: 0,
+        work: SplineWork::default(),
+    };
+    let place_of_error = |error: &serde_json::Error| Place {
+        line: u32::try_from(error.line()).unwrap_or(u32::MAX).max(1),
+        column: u32::try_from(error.column()).unwrap_or(u32::MAX).max(1),
+    };
+    let raw: &RawValue =
+        serde_json::from_str(text).map_err(|error| Flaw::at(place_of_error(&error), format!("not JSON: {}", without_place(&error))))?;
+    match Shape::of(raw) {
+        Ok(shape) if shape.kind == Kind::Model => {
+            let pieces = shape.pieces().map_err(|fault| reader.flaw(raw, fault))?;
+            for raw in pieces {
+                reader.add(raw)?;
+            }
+        }
+        _ => reader.add(raw)?,
+    }
+    let ModelReader { decimals, parts, joints, .. } = reader;
+    Ok(Model { joints, ..Model::of_patches(Format::Shape, parts, decimals.finest()) })
+}
+
+/// What `serde_json` says, without the line and column behind it.
+fn without_place(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    match message.rfind(" at line ") {
+        Some(end) => message[..end].to_owned(),
+        None => message,
+    }
+}
+
+/// The pieces of a shape file as they are read.
+struct ModelReader<'a> {
+    text: &'a str,
+    places: Places<'a>,
+    decimals: Decimals,
+    parts: Vec<Part>,
+    joints: Vec<Follow>,
+    splines: usize,
+    work: SplineWork,
+}
+
+impl<'a> ModelReader<'a> {
+    /// Adds a piece or the pieces of a spline.
+    fn add(&mut self, raw: &'a RawValue) -> Result<(), Flaw> {
+        self.pieces_of(raw).map_err(|fault| self.flaw(raw, fault))
+    }
+
+    fn pieces_of(&mut self, raw: &'a RawValue) -> Result<(), Fault> {
+        let shape = Shape::of(raw)?;
+        let place = self.place(raw);
+        match shape.kind {
+            Kind::Model => Err(Fault::new("unsupported", "a model holds pieces and splines, no other models")),
+            Kind::Spline => {
+                let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
+                let name = name.as_deref().and_then(group_name);
+                let first = self.parts.len();
+                for segment in self.work.pieces(&spline)? {
+                    self.parts.push(Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place });
+                }
+                let contour = self.splines;
+                self.splines += 1;
+                self.joints.extend(Follow::chain(first..self.parts.len(), contour, place));
+                Ok(())
+            }
+            kind => {
+                let ShapeFile { name, piece, weights, has_frame } = shape.piece(kind, &mut self.decimals)?;
+                let rational = weights.is_some();
+                let piece = match weights {
+                    Some(weights) => homogeneous(&piece, &weights)?,
+                    None => piece,
+                };
+                self.parts.push(Part { piece, rational, has_frame, name, place });
+                Ok(())
+            }
+        }
+    }
+
+    fn place(&mut self, raw: &RawValue) -> Place {
+        // Raw values are parts of the text.
+        self.places.of((raw.get().as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
+    }
+
+    fn flaw(&mut self, raw: &RawValue, fault: Fault) -> Flaw {
+        Flaw::at(self.place(raw), fault.message)
+    }
+}
+
+/// The piece whose points `(w b, w)` have the weight as their last coordinate.
+fn homogeneous(piece: &Piece, weights: &[Rational]) -> Result<Piece, Error> {
+    let points: Vec<Vec<Rational>> = piece.points().map(<[Rational]>::to_vec).collect();
+    let points = homogeneous_points(&points, weights)?;
+    Ok(match piece {
+        Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
+        Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
+        Piece::Rectangle(patch) => Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?),
+    })
+}
