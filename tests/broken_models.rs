@@ -197,6 +197,7 @@ fn numbers_longer_than_they_look() {
     for (format, text) in [
         (Format::Svg, format!("<svg><path d=\"M1e9999 0{}\"/></svg>", "l1 0".repeat(4_000))),
         (Format::Svg, format!("<svg><path d=\"M0 0{}\"/></svg>", "T1e-9999 0".repeat(4_000))),
+        (Format::Svg, format!("<svg><path d=\"M1e9999 0{}\"/></svg>", "L0 0z".repeat(4_000))),
         (Format::Newell, format!("4000\n{}1\n1e9999,0,0", format!("{all_ones}1\n").repeat(4_000))),
         (Format::Bpt, format!("4000\n{}", "0 0\n0 0 1e9999\n".repeat(4_000))),
         (Format::Wavefront, format!("v 1e9999 0 0\ncstype bezier\ndeg 1\n{}", "curv 0 1 1 1\nparm u 0 1\nend\n".repeat(4_000))),

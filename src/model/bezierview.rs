@@ -68,7 +68,7 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
             _ => return Err(scanner.unexpected(Some(word), "a kind of patch, 1, 3, 4, 5, 8, 9 or 10, or `group`")),
         };
         part.name.clone_from(&name);
-        parts.push(part);
+        part.add_to(&mut parts)?;
     }
     let model = Model::of_patches(Format::BezierView, parts, scanner.decimals.finest());
     Ok(Model { omissions, ..model })

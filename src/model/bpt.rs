@@ -15,7 +15,7 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
         let p = scanner.degree("the degree of a patch in u")?;
         let q = scanner.degree("the degree of a patch in v")?;
         let coordinates = scanner.points((p + 1) * (q + 1), 3)?;
-        parts.push(Part::patch((p, q), 3, coordinates, place));
+        Part::patch((p, q), 3, coordinates, place).add_to(&mut parts)?;
     }
     scanner.finish()?;
     Ok(Model::of_patches(Format::Bpt, parts, scanner.decimals.finest()))

@@ -14,8 +14,8 @@ pub struct Decimals {
 impl Decimals {
     /// The most words that the long numbers of one file may take together.
     pub const MAX_WORDS: usize = 1 << 20;
-    /// Numbers up to so many words are no longer than they look.
-    const FREE_WORDS: u64 = 8;
+    /// Numbers up to so many words are not counted.
+    const FREE_WORDS: u64 = 4;
 
     /// Reads a number exactly.
     ///

@@ -125,7 +125,7 @@ impl Model {
 fn group_name(name: &str) -> Option<String> {
     const LENGTH: usize = 200;
     let name = name.trim();
-    (!name.is_empty()).then(|| name.chars().take(LENGTH).collect())
+    (!name.is_empty()).then(|| name.chars().filter(|letter| !letter.is_control()).take(LENGTH).collect())
 }
 
 impl Follow {
@@ -137,6 +137,18 @@ impl Follow {
 }
 
 impl Part {
+    /// The most pieces of one file.
+    pub const MAX_COUNT: usize = 1 << 22;
+
+    /// Adds the piece to those of its file.
+    fn add_to(self, parts: &mut Vec<Self>) -> Result<(), Flaw> {
+        if parts.len() >= Self::MAX_COUNT {
+            return Err(Flaw::at(self.place, format!("found more pieces than a file may have, at most {}", Self::MAX_COUNT)));
+        }
+        parts.push(self);
+        Ok(())
+    }
+
     /// A polynomial patch over the unit square, with its coordinates point by point.
     fn patch((p, q): (usize, usize), dimension: usize, coordinates: Vec<Rational>, place: Place) -> Self {
         let net = ControlNet { shape: Shape::rectangle(p, q, dimension), coordinates };

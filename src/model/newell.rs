@@ -53,7 +53,7 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
             let end = 3 * index as usize;
             scanner.copies(&points[end - 3..end], at, &mut coordinates)?;
         }
-        parts.push(Part::patch((3, 3), 3, coordinates, scanner.place(at)));
+        Part::patch((3, 3), 3, coordinates, scanner.place(at)).add_to(&mut parts)?;
     }
     Ok(Model::of_patches(Format::Newell, parts, scanner.decimals.finest()))
 }

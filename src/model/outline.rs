@@ -65,13 +65,13 @@ impl Outline {
         let points = [run.here.point.clone()].into_iter().chain(controls).chain([end.point.clone()]);
         let segment = Segment::new(2, points.flatten().collect(), Interval::unit()).map_err(|error| Flaw::at(place, error.to_string()))?;
         let second = self.parts.len();
-        self.parts.push(Part { piece: Piece::Curve(segment), rational: false, has_frame: false, name: None, place });
+        Part { piece: Piece::Curve(segment), rational: false, has_frame: false, name: None, place }.add_to(&mut self.parts)?;
         match run.last {
             Some(first) => self.joints.push(run.here.follow(first, second, self.contours - 1)),
             None if run.is_empty => run.first = Some(second),
             None => {}
         }
-        *run = Run { start: run.start.clone(), here: end, first: run.first, last: Some(second), is_empty: false };
+        (run.here, run.last, run.is_empty) = (end, Some(second), false);
         Ok(())
     }
 

@@ -69,35 +69,37 @@ struct ModelReader<'a> {
 impl<'a> ModelReader<'a> {
     /// Adds a piece or the pieces of a spline.
     fn add(&mut self, raw: &'a RawValue) -> Result<(), Flaw> {
-        self.pieces_of(raw).map_err(|fault| self.flaw(raw, fault))
+        let (first, place) = (self.parts.len(), self.place(raw));
+        let shape = Shape::of(raw).map_err(|fault| self.flaw(raw, fault))?;
+        let is_spline = shape.kind == Kind::Spline;
+        for part in self.parts_of(&shape, place).map_err(|fault| self.flaw(raw, fault))? {
+            part.add_to(&mut self.parts)?;
+        }
+        if is_spline {
+            self.joints.extend(Follow::chain(first..self.parts.len(), self.splines, place));
+            self.splines += 1;
+        }
+        Ok(())
     }
 
-    fn pieces_of(&mut self, raw: &'a RawValue) -> Result<(), Fault> {
-        let shape = Shape::of(raw)?;
-        let place = self.place(raw);
+    fn parts_of(&mut self, shape: &Shape, place: Place) -> Result<Vec<Part>, Fault> {
         match shape.kind {
             Kind::Model => Err(Fault::new("unsupported", "a model holds pieces and splines, no other models")),
             Kind::Spline => {
                 let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
                 let name = name.as_deref().and_then(group_name);
-                let first = self.parts.len();
-                for segment in self.work.pieces(&spline)? {
-                    self.parts.push(Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place });
-                }
-                let contour = self.splines;
-                self.splines += 1;
-                self.joints.extend(Follow::chain(first..self.parts.len(), contour, place));
-                Ok(())
+                let part = |segment| Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place };
+                Ok(self.work.pieces(&spline)?.into_iter().map(part).collect())
             }
             kind => {
                 let ShapeFile { name, piece, weights, has_frame } = shape.piece(kind, &mut self.decimals)?;
+                let name = name.as_deref().and_then(group_name);
                 let rational = weights.is_some();
                 let piece = match weights {
                     Some(weights) => homogeneous(&piece, &weights)?,
                     None => piece,
                 };
-                self.parts.push(Part { piece, rational, has_frame, name, place });
-                Ok(())
+                Ok(vec![Part { piece, rational, has_frame, name, place }])
             }
         }
     }

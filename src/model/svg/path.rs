@@ -61,7 +61,10 @@ impl<'a, 'p, 't> PathReader<'a, 'p, 't> {
             if command.eq_ignore_ascii_case(&b'z') {
                 let place = self.place(at);
                 self.outline.close(place)?;
-                self.current = start.clone().map_or_else(origin, |start: Node| start.point);
+                if let Some(Node { point: [x, y], .. }) = start.clone() {
+                    // The start is used twice more: by the closing line, and by what follows.
+                    self.current = [self.held(x, at)?, self.held(y, at)?];
+                }
                 self.handle = None;
             } else {
                 self.segments(command, &mut start)?;

@@ -220,8 +220,10 @@ impl<'a> Reader<'a> {
             self.curves += 1;
             self.joints.extend(Follow::chain(first..first + pieces.len(), contour, element.place));
         }
-        let part = |piece| Part { piece, rational: element.rational, has_frame: true, name: self.name.clone(), place: element.place };
-        self.parts.extend(pieces.into_iter().map(part));
+        for piece in pieces {
+            let part = Part { piece, rational: element.rational, has_frame: true, name: self.name.clone(), place: element.place };
+            part.add_to(&mut self.parts)?;
+        }
         Ok(())
     }
 
