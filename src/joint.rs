@@ -7,6 +7,7 @@ use crate::piece::{Equation, Piece};
 use crate::reading::Reading;
 use crate::rectangular::bidegree_label;
 use crate::scheme::polar_label;
+use crate::triangular::TriangularPatch;
 
 /// What two pieces have in common in the space of parameters.
 #[derive(Clone, Debug, PartialEq)]
@@ -201,18 +202,50 @@ pub struct Extension {
 /// and Surfaces for CAGD*, subdivision and continuity).
 ///
 /// # Errors
-/// [`Error::WrongShape`] if the frame is of another kind than the piece or does
-/// not have the joint as one of its ends or sides.
+/// [`Error::WrongShape`] if a curve is to be continued over the frame of a patch
+/// or the reverse, or if the frame does not have the joint as one of its ends or sides.
 pub fn extend(piece: &Piece, frame: &Frame<Rational>, joint: &Joint, order: usize) -> Result<Extension, Error> {
-    let continuation = match (piece, frame) {
+    let continuation = continued(piece, frame)?;
+    let off = arguments_off(&continuation, joint)?;
+    Ok(Extension { continuation, forced: off.into_iter().map(|off| off <= order).collect() })
+}
+
+/// The same map over another frame.
+fn continued(piece: &Piece, frame: &Frame<Rational>) -> Result<Piece, Error> {
+    Ok(match (piece, frame) {
         (Piece::Curve(segment), Frame::Interval(frame)) => Piece::Curve(segment.reframe(frame)?),
         (Piece::Triangle(patch), Frame::Triangle(frame)) => Piece::Triangle(patch.reframe(frame)?),
         (Piece::Rectangle(patch), Frame::Rectangle(frame)) => Piece::Rectangle(patch.reframe(frame)?),
+        (Piece::Rectangle(patch), Frame::Triangle(frame)) => Piece::Triangle(patch.surface()?.over_triangle(frame)?),
+        (Piece::Triangle(patch), Frame::Rectangle(frame)) => Piece::Rectangle(patch.surface()?.over_rectangle(frame)?),
         _ => return Err(unfit()),
-    };
-    let on_joint = |point: &[Rational; 2]| matches!(joint, Joint::Edge(ends) if ends.contains(point));
-    // How many arguments of a control point are off the joint.
-    let off: Vec<usize> = match (&continuation, joint) {
+    })
+}
+
+/// Both maps over the frame of the second piece, the lower degrees raised, so
+/// that control points stand for control points.
+pub(crate) fn over_one_frame(first: &Piece, second: &Piece) -> Result<[Piece; 2], Error> {
+    Ok(match (continued(first, &second.frame())?, second) {
+        (Piece::Curve(a), Piece::Curve(b)) => {
+            let degree = a.degree().max(b.degree());
+            [&a, b].map(|segment| Piece::Curve(segment.elevate(degree - segment.degree())))
+        }
+        (Piece::Triangle(a), Piece::Triangle(b)) => {
+            let degree = a.degree().max(b.degree());
+            [&a, b].map(|patch| Piece::Triangle(patch.elevate(degree - patch.degree())))
+        }
+        (Piece::Rectangle(a), Piece::Rectangle(b)) => {
+            let (p, q) = (a.degree().0.max(b.degree().0), a.degree().1.max(b.degree().1));
+            [&a, b].map(|patch| Piece::Rectangle(patch.elevate(p - patch.degree().0, q - patch.degree().1)))
+        }
+        _ => return Err(unfit()),
+    })
+}
+
+/// For every control point of a piece, how many of its arguments are off a
+/// joint that is one of the piece's ends or sides.
+pub(crate) fn arguments_off(piece: &Piece, joint: &Joint) -> Result<Vec<usize>, Error> {
+    Ok(match (piece, joint) {
         (Piece::Curve(segment), Joint::Parameter(at)) => {
             let degree = segment.degree();
             let first = segment.frame().r() == at;
@@ -221,12 +254,14 @@ pub fn extend(piece: &Piece, frame: &Frame<Rational>, joint: &Joint, order: usiz
             }
             (0..=degree).map(|i| if first { i } else { degree - i }).collect()
         }
-        (Piece::Triangle(patch), Joint::Edge(_)) => {
-            let inner = patch.frame().vertices().iter().position(|vertex| !on_joint(vertex)).ok_or_else(unfit)?;
-            if patch.frame().vertices().iter().filter(|vertex| on_joint(vertex)).count() != 2 {
+        (Piece::Triangle(patch), Joint::Edge(ends)) => {
+            let on_joint = |vertex: &[Rational; 2]| ends.contains(vertex);
+            let vertices = patch.frame().vertices();
+            let inner = vertices.iter().position(|vertex| !on_joint(vertex)).ok_or_else(unfit)?;
+            if vertices.iter().filter(|vertex| on_joint(vertex)).count() != 2 {
                 return Err(unfit());
             }
-            crate::triangular::TriangularPatch::<Rational>::indices(patch.degree()).into_iter().map(|index| index[inner]).collect()
+            TriangularPatch::<Rational>::indices(patch.degree()).into_iter().map(|index| index[inner]).collect()
         }
         (Piece::Rectangle(patch), Joint::Edge([from, to])) => {
             let (p, q) = patch.degree();
@@ -241,6 +276,5 @@ pub fn extend(piece: &Piece, frame: &Frame<Rational>, joint: &Joint, order: usiz
             (0..=p).flat_map(|i| (0..=q).map(move |j| (i, j))).map(|(i, j)| if along_v { count(i, p) } else { count(j, q) }).collect()
         }
         _ => return Err(unfit()),
-    };
-    Ok(Extension { continuation, forced: off.into_iter().map(|off| off <= order).collect() })
+    })
 }

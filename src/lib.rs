@@ -37,7 +37,7 @@
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `smoothness`, `spline` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -86,6 +86,7 @@ mod roots;
 mod scheme;
 mod segment;
 mod side;
+mod smoothness;
 mod spline;
 mod surface;
 mod symbolic;
@@ -129,6 +130,7 @@ pub use roots::{RealRoots, Root, RootPlace};
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};
 pub use side::{Arrangement, Side};
+pub use smoothness::SmoothnessTest;
 pub use spline::{KnotJoin, Spline};
 pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};

@@ -57,6 +57,22 @@ impl<C: Coefficient> Piece<C> {
         &self.net().coordinates
     }
 
+    /// A piece of the same kind and degree over the same frame with other control points, in order.
+    ///
+    /// # Errors
+    /// [`Error::WrongCount`] unless there are as many; [`Error::WrongShape`] if
+    /// they are not all of one dimension.
+    pub fn with_points(&self, points: Vec<Vec<C>>) -> Result<Self, Error> {
+        if points.len() != self.points().len() {
+            return Err(Error::WrongCount { what: "control points", expected: self.points().len(), found: points.len() });
+        }
+        Ok(match self {
+            Self::Curve(segment) => Self::Curve(Segment::from_points(points, segment.frame().clone())?),
+            Self::Triangle(patch) => Self::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
+            Self::Rectangle(patch) => Self::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?),
+        })
+    }
+
     /// The control points row by row; those of a curve are one row.
     #[must_use]
     pub fn rows(&self) -> Vec<Vec<&[C]>> {

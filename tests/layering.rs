@@ -36,6 +36,7 @@ const LAYERS: &[&[&str]] = &[
         "geometric",
         "spline",
         "joint",
+        "smoothness",
         "algebraic",
     ],
     &["cubic", "implicit", "quadric"],

@@ -31,9 +31,9 @@ pub(crate) enum CommonDenominator {
 }
 
 impl CommonDenominator {
-    pub(crate) fn of(data: &[Rational]) -> Self {
+    pub(crate) fn of<'a>(data: impl IntoIterator<Item = &'a Rational> + Clone) -> Self {
         let mut common = 1u64;
-        for value in data {
+        for value in data.clone() {
             let Some((_, denom)) = value.as_small() else { return Self::of_big(data) };
             if common.is_multiple_of(denom) {
                 continue;
@@ -64,7 +64,7 @@ impl CommonDenominator {
         Some((words, largest))
     }
 
-    fn of_big(data: &[Rational]) -> Self {
+    fn of_big<'a>(data: impl IntoIterator<Item = &'a Rational>) -> Self {
         let mut common = BigUint::one();
         for value in data {
             let denom = value.denom().magnitude().clone();
