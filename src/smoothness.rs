@@ -1,5 +1,7 @@
 //! A test of joins that is prepared once and then asked many times.
 
+use std::ops::Range;
+
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
@@ -42,7 +44,9 @@ pub struct SmoothnessTest {
     points: [usize; 2],
     /// The highest order that is asked for.
     order: usize,
-    /// The conditions, by their orders.
+    /// Points of the first piece that are to be points of the second one.
+    shared: Vec<(u32, u32)>,
+    /// All other conditions, by their orders.
     conditions: Vec<Condition>,
     /// Their terms where all coefficients fit a word.
     short: Option<Vec<(u32, i64)>>,
@@ -73,7 +77,8 @@ impl SmoothnessTest {
     pub fn new(first: &Piece, second: &Piece, joint: &Joint, order: usize) -> Result<Self, Error> {
         let points = [first, second].map(|piece| piece.points().len());
         arguments_off(first, joint)?;
-        let mut test = Self { points, order, conditions: Vec::new(), short: None, long: Vec::new(), growth: Magnitude::ONE };
+        let mut test =
+            Self { points, order, shared: Vec::new(), conditions: Vec::new(), short: None, long: Vec::new(), growth: Magnitude::ONE };
         for (off, row) in conditions(first, second, joint, order)? {
             let row = primitive(&row);
             let total = row.iter().fold(Magnitude::ZERO, |sum, x| sum.plus(Magnitude::from_big(x.magnitude())));
@@ -83,9 +88,16 @@ impl SmoothnessTest {
                 let kept = part.iter().enumerate().filter(|(_, x)| !x.is_zero());
                 kept.map(|(place, x)| (place as u32, x * sign)).collect::<Vec<_>>()
             };
-            test.long.extend(terms(own, 1));
+            let (own, other) = (terms(own, 1), terms(other, -1));
+            if let (0, [(a, x)], [(b, y)]) = (off, own.as_slice(), other.as_slice())
+                && x == y
+            {
+                test.shared.push((*a, *b));
+                continue;
+            }
+            test.long.extend(own);
             let middle = test.long.len();
-            test.long.extend(terms(other, -1));
+            test.long.extend(other);
             test.conditions.push(Condition { order: off, middle, end: test.long.len() });
         }
         test.short = test.long.iter().map(|(place, x)| Some((*place, i64::try_from(x).ok()?))).collect();
@@ -101,9 +113,11 @@ impl SmoothnessTest {
     /// as the pieces have, of one dimension.
     pub fn order(&self, first: &[i64], second: &[i64]) -> Result<Option<usize>, Error> {
         let dimension = self.dimension(first.len(), second.len())?;
-        // The bitwise union of absolute values has the bits of the largest.
-        let union = |net: &[i64]| net.iter().fold(0, |bits, value| bits | value.unsigned_abs());
-        Ok(self.order_of_words(first, second, dimension, union(first) | union(second)))
+        // The highest bit in which a number differs from its double is one above those that
+        // it needs beside the sign; the union of these has that of the largest number.
+        let changes = |net: &[i64]| net.iter().fold(0, |bits, &value| bits | (value ^ (value << 1)) as u64);
+        let bits = 64 - (changes(first) | changes(second)).leading_zeros();
+        Ok(self.order_of_words(first, second, dimension, 1 << bits.saturating_sub(1)))
     }
 
     /// The same for coordinates in rational numbers.
@@ -153,9 +167,13 @@ impl SmoothnessTest {
         }
     }
 
-    /// The order from the first condition that fails.
+    /// The order from the first condition that fails: which points are the same,
+    /// and for which terms the sums are.
     #[inline]
-    fn order_below(&self, mut holds: impl FnMut(std::ops::Range<usize>, std::ops::Range<usize>) -> bool) -> Option<usize> {
+    fn order_below(&self, same: impl Fn(usize, usize) -> bool, holds: impl Fn(Range<usize>, Range<usize>) -> bool) -> Option<usize> {
+        if !self.shared.iter().all(|&(own, other)| same(own as usize, other as usize)) {
+            return None;
+        }
         let mut start = 0;
         for condition in &self.conditions {
             if !holds(start..condition.middle, condition.middle..condition.end) {
@@ -170,22 +188,22 @@ impl SmoothnessTest {
     #[inline]
     fn order_of_vectors<const D: usize>(&self, first: &[i64], second: &[i64], terms: &[(u32, i64)]) -> Option<usize> {
         let (first, second) = (first.as_chunks::<D>().0, second.as_chunks::<D>().0);
-        self.order_below(|own, other| {
-            let mut sum = [0i64; D];
-            for &(place, factor) in &terms[own] {
-                let point = &first[place as usize];
-                for axis in 0..D {
-                    sum[axis] = sum[axis].wrapping_add(point[axis].wrapping_mul(factor));
+        self.order_below(
+            |own, other| first[own] == second[other],
+            |own, other| {
+                let mut sum = [0i64; D];
+                for &(place, factor) in &terms[own] {
+                    let point = &first[place as usize];
+                    (0..D).for_each(|axis| sum[axis] = sum[axis].wrapping_add(point[axis].wrapping_mul(factor)));
                 }
-            }
-            for &(place, factor) in &terms[other] {
-                let point = &second[place as usize];
-                for axis in 0..D {
-                    sum[axis] = sum[axis].wrapping_sub(point[axis].wrapping_mul(factor));
+                for &(place, factor) in &terms[other] {
+                    let point = &second[place as usize];
+                    (0..D).for_each(|axis| sum[axis] = sum[axis].wrapping_sub(point[axis].wrapping_mul(factor)));
                 }
-            }
-            sum == [0; D]
-        })
+                // Compared with zeros, the sum stays in registers.
+                sum == [0; D]
+            },
+        )
     }
 
     fn order_of<R: Integer>(&self, first: &[R], second: &[R], dimension: usize, terms: &[(u32, R)]) -> Option<usize> {
@@ -195,13 +213,17 @@ impl SmoothnessTest {
                 sum
             })
         };
-        self.order_below(|own, other| {
-            (0..dimension).all(|axis| {
-                let mut difference = value(first, &terms[own.clone()], axis);
-                difference.subtract(&value(second, &terms[other.clone()], axis));
-                difference.is_nothing()
-            })
-        })
+        let vanishes = |mut difference: R, other: &R| {
+            difference.subtract(other);
+            difference.is_nothing()
+        };
+        self.order_below(
+            |own, other| (0..dimension).all(|axis| vanishes(first[own * dimension + axis].clone(), &second[other * dimension + axis])),
+            |own, other| {
+                let sums = |axis| (value(first, &terms[own.clone()], axis), value(second, &terms[other.clone()], axis));
+                (0..dimension).map(sums).all(|(own, other)| vanishes(own, &other))
+            },
+        )
     }
 }
 
