@@ -1,4 +1,4 @@
-//! Geometric continuity: of curves up to order 3, of patches across an edge.
+//! Geometric continuity of curves, up to order 3.
 
 use num_traits::{Signed, Zero};
 
@@ -6,9 +6,8 @@ use crate::affine::Interval;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::roots::RealRoots;
-use crate::symbolic::{Polynomial, Symbol};
-use crate::triangular::TriangularPatch;
+use crate::segment::Segment;
+use crate::side::Side;
 
 /// How two curves join geometrically: with parameters of their own.
 ///
@@ -27,6 +26,29 @@ pub struct GeometricJoin {
     pub betas: Vec<Rational>,
     /// Whether the tangents are opposite.
     pub reversed: bool,
+    /// What is known where a curve has no tangent vector at the joint and the points agree.
+    pub singular: Option<SingularJoint>,
+}
+
+/// A joint where a derivative vanishes: the tangent is that of the first one which does not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SingularJoint {
+    /// The order of the first derivative of each curve that is not zero; none for a point.
+    pub orders: [Option<usize>; 2],
+    /// How the direction in which the first curve arrives lies to that in which
+    /// the second one leaves; none where one of them is a point.
+    pub directions: Option<Directions>,
+}
+
+/// How two directions lie to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Directions {
+    /// The same.
+    Same,
+    /// Opposite: the curves form a cusp.
+    Opposite,
+    /// On different lines.
+    Different,
 }
 
 /// The number `β` with `vector = β base`, if there is one; `base` is not zero.
@@ -51,21 +73,110 @@ fn ratio(vector: &[Rational], base: &[Rational]) -> Option<Rational> {
 /// # Errors
 /// [`Error::WrongCount`] if they have different dimensions.
 pub fn geometric_join(f: &Curve, g: &Curve, at_f: &Rational, at_g: &Rational) -> Result<GeometricJoin, Error> {
-    if f.dimension() != g.dimension() {
-        return Err(Error::WrongCount { what: "coordinates", expected: f.dimension(), found: g.dimension() });
+    alike(f, g)?;
+    Ok(join_of_derivatives(&derivatives(f, at_f), &derivatives(g, at_g)))
+}
+
+/// The same for rational curves, given by homogeneous maps whose last coordinate is the weight.
+///
+/// # Errors
+/// As for [`geometric_join`]; [`Error::Unsupported`] if a weight is 0 at the joint.
+pub fn geometric_join_of_rational(f: &Curve, g: &Curve, at_f: &Rational, at_g: &Rational) -> Result<GeometricJoin, Error> {
+    alike(f, g)?;
+    Ok(join_of_derivatives(&cartesian(&derivatives(f, at_f))?, &cartesian(&derivatives(g, at_g))?))
+}
+
+/// How two curves join geometrically where an end of the one is an end of the
+/// other, whatever their parameters: run through towards the end of the first
+/// and from the end of the second. With `rational` the last coordinate is the weight.
+///
+/// # Errors
+/// As for [`geometric_join_of_rational`]; [`Error::WrongShape`] for sides of patches.
+pub fn geometric_join_of_ends(first: (&Segment, Side), second: (&Segment, Side), rational: bool) -> Result<GeometricJoin, Error> {
+    let at = |(segment, side): (&Segment, Side), backwards: Side| -> Result<Vec<Vec<Rational>>, Error> {
+        // In the unit parameter of its control points.
+        let curve = Segment::new(segment.dimension(), segment.coordinates().to_vec(), Interval::unit())?.curve()?;
+        let end = match side {
+            Side::Start => Rational::from(0),
+            Side::End => Rational::from(1),
+            other => return Err(Error::WrongShape(format!("a curve has no edge `{other}`; there are start, end"))),
+        };
+        let mut list = derivatives(&curve, &end);
+        if rational {
+            list = cartesian(&list)?;
+        }
+        if side == backwards {
+            list.iter_mut().skip(1).step_by(2).for_each(|vector| vector.iter_mut().for_each(|x| *x = -&*x));
+        }
+        Ok(list)
+    };
+    if first.0.dimension() != second.0.dimension() {
+        return Err(Error::WrongCount { what: "coordinates", expected: first.0.dimension(), found: second.0.dimension() });
     }
-    let derivatives = |curve: &Curve, at: &Rational| (0..=3).map(|order| curve.derivative(order).value(at)).collect::<Vec<_>>();
-    let (f, g) = (derivatives(f, at_f), derivatives(g, at_g));
+    Ok(join_of_derivatives(&at(first, Side::Start)?, &at(second, Side::End)?))
+}
+
+fn alike(f: &Curve, g: &Curve) -> Result<(), Error> {
+    if f.dimension() == g.dimension() {
+        return Ok(());
+    }
+    Err(Error::WrongCount { what: "coordinates", expected: f.dimension(), found: g.dimension() })
+}
+
+/// The derivatives of the orders 0 to 3, and on to the degree.
+fn derivatives(curve: &Curve, at: &Rational) -> Vec<Vec<Rational>> {
+    (0..=curve.degree().max(3)).map(|order| curve.derivative(order).value(at)).collect()
+}
+
+/// The derivatives of a rational curve from those of its homogeneous map: by
+/// Leibniz's rule for the product of the curve and its weight.
+fn cartesian(homogeneous: &[Vec<Rational>]) -> Result<Vec<Vec<Rational>>, Error> {
+    let infinite = || Error::Unsupported("a weight is 0 at the joint: the point there is at infinity".into());
+    let weights: Vec<&Rational> = homogeneous.iter().filter_map(|vector| vector.last()).collect();
+    let unit = weights.first().and_then(|weight| weight.recip()).ok_or_else(infinite)?;
+    let mut found: Vec<Vec<Rational>> = Vec::new();
+    for (order, vector) in homogeneous.iter().enumerate() {
+        let mut rest = vector[..vector.len() - 1].to_vec();
+        let mut binomial = Rational::from(1);
+        for k in 1..=order {
+            binomial = binomial * Rational::from((order + 1 - k) as i64) / Rational::from(k as i64);
+            let factor = &binomial * weights[k];
+            rest.iter_mut().zip(&found[order - k]).for_each(|(x, y)| *x -= y * &factor);
+        }
+        rest.iter_mut().for_each(|x| *x *= &unit);
+        found.push(rest);
+    }
+    Ok(found)
+}
+
+/// What is known where one of the first derivatives vanishes.
+fn singular_joint(f: &[Vec<Rational>], g: &[Vec<Rational>]) -> SingularJoint {
+    let first = |list: &[Vec<Rational>]| (1..list.len()).find(|&order| !list[order].iter().all(Zero::is_zero));
+    let orders = [first(f), first(g)];
+    let directions = match orders {
+        [Some(own), Some(other)] => Some(match ratio(&g[other], &f[own]) {
+            None => Directions::Different,
+            // Where its order is even, the first curve arrives against the direction of its derivative.
+            Some(factor) if factor.is_positive() == (own % 2 == 1) => Directions::Same,
+            Some(_) => Directions::Opposite,
+        }),
+        _ => None,
+    };
+    SingularJoint { orders, directions }
+}
+
+fn join_of_derivatives(f: &[Vec<Rational>], g: &[Vec<Rational>]) -> GeometricJoin {
     let vanishes = |vector: &[Rational]| vector.iter().all(Zero::is_zero);
     let regular = !vanishes(&f[1]) && !vanishes(&g[1]);
-    let mut join = GeometricJoin { regular, order: (f[0] == g[0]).then_some(0), betas: Vec::new(), reversed: false };
+    let mut join = GeometricJoin { regular, order: (f[0] == g[0]).then_some(0), betas: Vec::new(), reversed: false, singular: None };
     if join.order.is_none() || !regular {
-        return Ok(join);
+        join.singular = join.order.map(|_| singular_joint(f, g));
+        return join;
     }
-    let Some(first) = ratio(&g[1], &f[1]) else { return Ok(join) };
+    let Some(first) = ratio(&g[1], &f[1]) else { return join };
     if first.is_negative() {
         join.reversed = true;
-        return Ok(join);
+        return join;
     }
     join.order = Some(1);
     join.betas.push(first.clone());
@@ -74,7 +185,7 @@ pub fn geometric_join(f: &Curve, g: &Curve, at_f: &Rational, at_g: &Rational) ->
         (0..f[0].len()).map(|axis| known.iter().fold(g[order][axis].clone(), |rest, (factor, k)| rest - &f[*k][axis] * *factor)).collect()
     };
     let square = first.pow(2);
-    let Some(second) = ratio(&rest(2, &[(&square, 2)]), &f[1]) else { return Ok(join) };
+    let Some(second) = ratio(&rest(2, &[(&square, 2)]), &f[1]) else { return join };
     join.order = Some(2);
     join.betas.push(second.clone());
     let (cube, mixed) = (first.pow(3), Rational::from(3) * &first * &second);
@@ -82,93 +193,5 @@ pub fn geometric_join(f: &Curve, g: &Curve, at_f: &Rational, at_g: &Rational) ->
         join.order = Some(3);
         join.betas.push(third);
     }
-    Ok(join)
-}
-
-/// How two triangular patches join across the edge `st` of their frames, each
-/// in a parameter plane of its own, `r` being the inner vertex: tangent planes
-/// along the whole edge. A test that was not reached is none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TangentPlaneJoin {
-    /// Whether the edge curves are the same.
-    pub same_edge: bool,
-    /// Whether the edge's direction and the two directions into the patches are
-    /// everywhere in one plane.
-    pub coplanar: Option<bool>,
-    /// Whether both normals are different from zero on the closed edge.
-    pub regular: Option<bool>,
-    /// Whether the patches lie on opposite sides of the edge, not folded onto each other.
-    pub opposite_sides: Option<bool>,
-}
-
-impl TangentPlaneJoin {
-    /// Whether the patches have the same tangent planes along the edge.
-    #[must_use]
-    pub fn is_g1(&self) -> bool {
-        self.opposite_sides == Some(true)
-    }
-}
-
-type Field = [Polynomial; 3];
-
-fn cross(a: &Field, b: &Field) -> Field {
-    let entry = |i: usize, j: usize| &(&a[i] * &b[j]) - &(&a[j] * &b[i]);
-    [entry(1, 2), entry(2, 0), entry(0, 1)]
-}
-
-fn dot(a: &Field, b: &Field) -> Polynomial {
-    a.iter().zip(b).fold(Polynomial::default(), |sum, (x, y)| sum + &(x * y))
-}
-
-/// Whether a polynomial has no zero on the closed unit interval.
-fn is_nowhere_zero(polynomial: &Polynomial, x: Symbol) -> Result<bool, Error> {
-    let coefficients: Vec<Rational> = polynomial.coefficients_in(x).iter().filter_map(Polynomial::as_rational).collect();
-    let at_end: Rational = coefficients.iter().sum();
-    if coefficients.first().is_none_or(Zero::is_zero) || at_end.is_zero() {
-        return Ok(false);
-    }
-    Ok(RealRoots::inside(&coefficients, &Interval::unit())?.distinct() == 0)
-}
-
-/// Whether two patches in space join with a common tangent plane, decided along
-/// the whole edge: `det(a, p, r)` vanishes identically, neither normal `a × p`,
-/// `a × r` does anywhere, and they point away from each other (`a` along the
-/// edge, `p` and `r` into the patches).
-///
-/// # Errors
-/// [`Error::Unsupported`] for patches that are not in space.
-pub fn tangent_plane_join(first: &TriangularPatch, second: &TriangularPatch) -> Result<TangentPlaneJoin, Error> {
-    if first.dimension() != 3 || second.dimension() != 3 {
-        return Err(Error::Unsupported("tangent planes need patches in space, with 3 coordinates".into()));
-    }
-    let x = Symbol::new('x', None);
-    let mut join = TangentPlaneJoin { same_edge: false, coplanar: None, regular: None, opposite_sides: None };
-    let edge = |patch: &TriangularPatch| patch.surface()?.segment(patch.frame().s(), patch.frame().t())?.curve();
-    let (edge_a, edge_b) = (edge(first)?, edge(second)?);
-    join.same_edge = edge_a.same_map(&edge_b);
-    if !join.same_edge {
-        return Ok(join);
-    }
-    // Curves of vectors along the edge, as polynomials in its parameter.
-    let field = |curve: &Curve| -> Result<Field, Error> {
-        let lists = curve.polynomials(x);
-        lists.try_into().map_err(|_| Error::Unsupported("tangent planes need patches in space".into()))
-    };
-    let into = |patch: &TriangularPatch| -> Result<Field, Error> {
-        let [r, s, _] = patch.frame().vertices();
-        let derivative = patch.surface()?.derivative(&[&r[0] - &s[0], &r[1] - &s[1]], 1)?;
-        field(&derivative.segment(patch.frame().s(), patch.frame().t())?.curve()?)
-    };
-    let (a, p, r) = (field(&edge_a.derivative(1))?, into(first)?, into(second)?);
-    let (normal_p, normal_r) = (cross(&a, &p), cross(&a, &r));
-    join.coplanar = Some(dot(&normal_p, &r).is_empty());
-    join.regular = Some(is_nowhere_zero(&dot(&normal_p, &normal_p), x)? && is_nowhere_zero(&dot(&normal_r, &normal_r), x)?);
-    if join.coplanar == Some(false) || join.regular == Some(false) {
-        return Ok(join);
-    }
-    // They are parallel and nowhere zero, so one place tells.
-    let half = Polynomial::from(Rational::new(1, 2));
-    let product = dot(&normal_p, &normal_r).substitute(x, &half).as_rational().unwrap_or_default();
-    join.opposite_sides = Some(product.is_negative());
-    Ok(join)
+    join
 }

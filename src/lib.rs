@@ -37,7 +37,7 @@
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `smoothness`, `spline` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -92,6 +92,7 @@ mod surface;
 mod symbolic;
 mod symmetry;
 pub mod syntax;
+mod tangent;
 mod tetrahedron;
 mod triangular;
 pub mod value;
@@ -115,7 +116,7 @@ pub use curve::Curve;
 pub use error::Error;
 pub use exact::{MAX_DIGITS, ParseNumberError, Rational, Surd};
 pub use flatness::Flattening;
-pub use geometric::{GeometricJoin, TangentPlaneJoin, geometric_join, tangent_plane_join};
+pub use geometric::{Directions, GeometricJoin, SingularJoint, geometric_join, geometric_join_of_ends, geometric_join_of_rational};
 pub use hull::{ConvexHull, bounding_box};
 pub use implicit::{ConicType, ImplicitCurve, Parameters};
 pub use joint::{Extension, JoinCondition, Joint, extend, join_conditions};
@@ -135,6 +136,7 @@ pub use spline::{KnotJoin, Spline};
 pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};
 pub use symmetry::Symmetry;
+pub use tangent::{Quotient, TangentPlaneJoin, Vanishing, tangent_plane_join};
 pub use tetrahedron::TriangularScheme;
 pub use triangular::{Quadrisection, TriangularPatch, TriangularReduction, Trisection, triangular_degree};
 pub use weights::{homogeneous_points, projected};

@@ -2,6 +2,10 @@
 
 use std::fmt;
 
+use crate::affine::Frame;
+use crate::error::Error;
+use crate::exact::Rational;
+use crate::joint::Joint;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::Piece;
 
@@ -88,7 +92,7 @@ impl Arrangement {
     #[must_use]
     pub fn columns(self, side: Side, layer: usize) -> usize {
         match self {
-            Self::Triangle(degree) => degree + 1 - layer,
+            Self::Triangle(degree) => (degree + 1).saturating_sub(layer),
             _ => self.degree_along(side) + 1,
         }
     }
@@ -112,7 +116,89 @@ impl Arrangement {
     }
 }
 
+/// The control points along a side and those of the next layer, by their places
+/// in the net. The differences `inner - along`, one by one, are control points
+/// of a derivative across the side, up to a factor: one at the end of a curve,
+/// as many as the degree in triangles, and one more in rectangles.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Strip {
+    pub(crate) along: Vec<usize>,
+    pub(crate) inner: Vec<usize>,
+}
+
+impl Strip {
+    /// The strip of a piece that has the side; from the last to the first point of the side if `reversed`.
+    pub(crate) fn of<C: Coefficient>(piece: &Piece<C>, side: Side, reversed: bool) -> Self {
+        let arrangement = Arrangement::of(piece);
+        let layer = |layer: usize| {
+            let mut places: Vec<usize> =
+                (0..arrangement.columns(side, layer)).map(|column| arrangement.index(side, layer, column)).collect();
+            if reversed {
+                places.reverse();
+            }
+            places
+        };
+        // A triangle of degree 0 has an empty second layer, other pieces have none: the derivative vanishes.
+        let second = match arrangement {
+            Arrangement::Triangle(_) => 1,
+            _ => arrangement.degree_across(side).min(1),
+        };
+        Self { along: layer(0), inner: layer(second) }
+    }
+}
+
 impl Side {
+    /// The end or edge of a piece with a name.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if it has none of that name.
+    pub fn named<C: Coefficient>(piece: &Piece<C>, name: &str) -> Result<Self, Error> {
+        let all = Arrangement::of(piece).sides();
+        all.iter().copied().find(|side| side.name() == name).ok_or_else(|| {
+            let names: Vec<&str> = all.iter().map(|side| side.name()).collect();
+            Error::WrongShape(format!("there is no edge `{name}` here; there are {}", names.join(", ")))
+        })
+    }
+
+    /// Where the side lies in the parameter line or plane, in its direction.
+    ///
+    /// # Errors
+    /// [`Error::WrongShape`] if it is no side of such a frame.
+    pub fn joint(self, frame: &Frame<Rational>) -> Result<Joint, Error> {
+        let point = |u: &Rational, v: &Rational| [u.clone(), v.clone()];
+        Ok(match (frame, self) {
+            (Frame::Interval(frame), Self::Start) => Joint::Parameter(frame.r().clone()),
+            (Frame::Interval(frame), Self::End) => Joint::Parameter(frame.s().clone()),
+            (Frame::Triangle(frame), Self::Rs) => Joint::Edge([frame.r().clone(), frame.s().clone()]),
+            (Frame::Triangle(frame), Self::St) => Joint::Edge([frame.s().clone(), frame.t().clone()]),
+            (Frame::Triangle(frame), Self::Tr) => Joint::Edge([frame.t().clone(), frame.r().clone()]),
+            (Frame::Rectangle(frame), Self::U0 | Self::U1) => {
+                let at = if self == Self::U0 { frame.u().r() } else { frame.u().s() };
+                Joint::Edge([point(at, frame.v().r()), point(at, frame.v().s())])
+            }
+            (Frame::Rectangle(frame), Self::V0 | Self::V1) => {
+                let at = if self == Self::V0 { frame.v().r() } else { frame.v().s() };
+                Joint::Edge([point(frame.u().r(), at), point(frame.u().s(), at)])
+            }
+            _ => return Err(Error::WrongShape(format!("there is no edge `{self}` here"))),
+        })
+    }
+
+    /// The end or edge of a piece that a joint is, and whether the joint runs against it.
+    #[must_use]
+    pub fn on(piece: &Piece, joint: &Joint) -> Option<(Self, bool)> {
+        let frame = piece.frame();
+        Arrangement::of(piece).sides().iter().find_map(|&side| match (side.joint(&frame).ok()?, joint) {
+            (Joint::Parameter(own), Joint::Parameter(at)) => (own == *at).then_some((side, false)),
+            (Joint::Edge([a, b]), Joint::Edge([from, to])) => match (a == *from && b == *to, a == *to && b == *from) {
+                (true, _) => Some((side, false)),
+                (_, true) => Some((side, true)),
+                _ => None,
+            },
+            _ => None,
+        })
+    }
+
     /// The name: "start", "rs", "u0", ….
     #[must_use]
     pub const fn name(self) -> &'static str {

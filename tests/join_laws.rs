@@ -3,8 +3,8 @@
 
 use casteljau::{
     Continuity, Curve, Error, Extension, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, RectangularPatch, Segment,
-    Spline, Surface, Term, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces,
-    continuity_of_surfaces, extend, geometric_join, join_conditions, tangent_plane_join,
+    Side, Spline, Surface, Term, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves,
+    continuity_of_rational_surfaces, continuity_of_surfaces, extend, geometric_join, join_conditions, tangent_plane_join,
 };
 use proptest::prelude::*;
 
@@ -200,10 +200,11 @@ proptest! {
         let one = || Rational::from(1);
         let surface = Surface::total(vec![vec![(1, 0, one())], vec![(0, 1, one())], terms]).expect("a surface");
         let at = |u: i64, v: i64| [Rational::from(u), Rational::from(v)];
-        let side = |inner| surface.over_triangle(&Triangle::new(inner, at(0, 0), at(1, 0)).expect("a frame")).expect("a patch");
-        let join = tangent_plane_join(&side(at(0, 1)), &side(at(1, -2))).expect("in space");
+        let side = |inner| Piece::Triangle(surface.over_triangle(&Triangle::new(inner, at(0, 0), at(1, 0)).expect("a frame")).expect("a patch"));
+        let tangents = |first: &Piece, second: &Piece| tangent_plane_join((first, Side::St), (second, Side::St), false).expect("in space");
+        let join = tangents(&side(at(0, 1)), &side(at(1, -2)));
         prop_assert!(join.is_g1());
-        let folded = tangent_plane_join(&side(at(0, 1)), &side(at(2, 3))).expect("in space");
+        let folded = tangents(&side(at(0, 1)), &side(at(2, 3)));
         prop_assert!(folded.coplanar == Some(true) && folded.opposite_sides == Some(false));
     }
 

@@ -7,11 +7,13 @@ use crate::continuity::{
 };
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::geometric::{geometric_join, tangent_plane_join};
+use crate::geometric::geometric_join;
 use crate::joint::{Extension, JoinCondition, Joint, extend, join_conditions};
 use crate::piece::{Equation, Piece};
+use crate::side::Side;
 use crate::spline::Spline;
 use crate::surface::Surface;
+use crate::tangent::tangent_plane_join;
 use crate::value::{Answer, Arguments, Value};
 
 fn order(order: Continuity) -> Value {
@@ -109,15 +111,15 @@ pub(super) fn geometric_curves(arguments: &Arguments) -> Result<Answer, Error> {
 
 pub(super) fn geometric_triangles(arguments: &Arguments) -> Result<Answer, Error> {
     let patch = |name: &str| match piece(arguments, name)? {
-        Piece::Triangle(patch) => Ok(patch),
+        patch @ Piece::Triangle(_) => Ok(patch),
         _ => Err(Error::WrongShape(format!("`{name}` is no triangular patch"))),
     };
-    let join = tangent_plane_join(patch("A")?, patch("B")?)?;
+    let join = tangent_plane_join((patch("A")?, Side::St), (patch("B")?, Side::St), false)?;
     let test = |result: Option<bool>| result.map_or(Value::Nothing, Value::Truth);
     Ok(Answer::new(vec![
         ("g0", Value::Truth(join.same_edge)),
         ("coplanar_identity", test(join.coplanar)),
-        ("regular", test(join.regular)),
+        ("regular", test(join.regular())),
         ("opposite_sides", test(join.opposite_sides)),
         ("g1", Value::Truth(join.is_g1())),
     ]))
