@@ -37,7 +37,7 @@
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `repair`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -81,6 +81,7 @@ mod piece;
 mod quadric;
 mod reading;
 mod rectangular;
+mod repair;
 pub mod report;
 mod roots;
 mod scheme;
@@ -127,6 +128,7 @@ pub use piece::{Equation, Piece};
 pub use quadric::{QUADRIC_MONOMIALS, QuadricClass, QuadricSurface};
 pub use reading::{PolarTerm, Reading};
 pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, bidegree_label};
+pub use repair::{Repair, repair_tangents, repair_to_order};
 pub use roots::{RealRoots, Root, RootPlace};
 pub use scheme::{Scheme, polar_label};
 pub use segment::{Reduction, Segment};

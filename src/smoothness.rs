@@ -234,22 +234,27 @@ impl SmoothnessTest {
 /// # Errors
 /// As for [`SmoothnessTest::new`], where the first piece need not have the joint as an end or side.
 pub(crate) fn conditions(first: &Piece, second: &Piece, joint: &Joint, order: usize) -> Result<Vec<(usize, Vec<Rational>)>, Error> {
-    // Nets whose points are the unit vectors keep their coefficients.
-    let unit = |piece: &Piece| {
-        let count = piece.points().len();
-        if count > SmoothnessTest::MAX_POINTS {
-            return Err(Error::TooLarge { what: "number of control points of a piece of a join", limit: SmoothnessTest::MAX_POINTS });
-        }
-        let point = |place: usize| (0..count).map(|axis| Rational::from(i64::from(axis == place))).collect();
-        piece.with_points((0..count).map(point).collect())
-    };
-    let [a, b] = over_one_frame(&unit(first)?, &unit(second)?)?;
+    let [a, b] = over_one_frame(&unit_net(first)?, &unit_net(second)?)?;
     let off = arguments_off(&b, joint)?;
     let rows = a.points().zip(b.points()).zip(off).filter(|(_, off)| *off <= order);
     let mut rows: Vec<(usize, Vec<Rational>)> =
         rows.map(|((a, b), off)| (off, a.iter().cloned().chain(b.iter().map(|x| -x)).collect())).collect();
     rows.sort_by_key(|(off, _)| *off);
     Ok(rows)
+}
+
+/// The piece with the unit vectors as control points, so that every point of it
+/// is its own combination of them.
+///
+/// # Errors
+/// [`Error::TooLarge`] for more than [`SmoothnessTest::MAX_POINTS`].
+pub(crate) fn unit_net(piece: &Piece) -> Result<Piece, Error> {
+    let count = piece.points().len();
+    if count > SmoothnessTest::MAX_POINTS {
+        return Err(Error::TooLarge { what: "number of control points of a piece of a join", limit: SmoothnessTest::MAX_POINTS });
+    }
+    let point = |place: usize| (0..count).map(|axis| Rational::from(i64::from(axis == place))).collect();
+    piece.with_points((0..count).map(point).collect())
 }
 
 /// The integers without a common divisor that are in proportion to these numbers.
