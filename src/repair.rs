@@ -8,7 +8,7 @@ use crate::exact::Rational;
 use crate::joint::{Joint, arguments_off, over_one_frame};
 use crate::piece::Piece;
 use crate::segment::Segment;
-use crate::side::Side;
+use crate::side::{Side, Strip};
 use crate::smoothness::{conditions, unit_net};
 use crate::weights::projected;
 
@@ -226,7 +226,7 @@ pub fn repair_tangents(first: (&Piece, Side), second: (&Piece, Side), reversed: 
     let too_low = || {
         Error::Unsupported("the degree of the second piece is too low for the side of the first one; `casteljau elevate` raises it".into())
     };
-    let (own, other) = (first.1.strip(first.0, false), second.1.strip(second.0, reversed));
+    let (own, other) = (Strip::of(first.0, first.1, false), Strip::of(second.0, second.1, reversed));
     let points: Vec<&[Rational]> = first.0.points().collect();
     let at = |places: &[usize]| places.iter().map(|&place| points[place].to_vec()).collect::<Vec<_>>();
     let edge = bernstein(at(&own.along))?;

@@ -37,7 +37,6 @@ const LAYERS: &[&[&str]] = &[
         "spline",
         "joint",
         "smoothness",
-        "side",
         "tangent",
         "repair",
         "algebraic",

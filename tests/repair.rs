@@ -1,8 +1,8 @@
 //! Repairs of joins: what they reach, that they are projections, and what they refuse.
 
 use casteljau::{
-    Continuity, Curve, Equation, Error, Interval, Joint, Piece, Rational, Rectangle, RectangularPatch, Repair, Segment, Side, Triangle,
-    TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_surfaces, geometric_join_of_ends,
+    Arrangement, Continuity, Curve, Equation, Error, Interval, Joint, Piece, Rational, Rectangle, RectangularPatch, Repair, Segment, Side,
+    Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_surfaces, geometric_join_of_ends,
     homogeneous_points, projected, repair_tangents, repair_to_order, tangent_plane_join,
 };
 use proptest::prelude::*;
@@ -141,7 +141,7 @@ proptest! {
         // Beside a rectangle a triangle needs one degree more.
         let degree = if kinds[1] && !kinds[0] { 3 } else { 2 };
         let (first, second, elsewhere) = (patch(&a, kinds[0], 2), patch(&b, kinds[1], degree), patch(&c, kinds[1], degree));
-        let side = |piece: &Piece, k: usize| Side::all_of(piece)[k % Side::all_of(piece).len()];
+        let side = |piece: &Piece, k: usize| Arrangement::of(piece).sides()[k % Arrangement::of(piece).sides().len()];
         let (own, other) = (side(&first, sides[0]), side(&second, sides[1]));
         let ask = |second: &Piece| repair_tangents((&first, own), (second, other), reversed);
         let (Ok(repair), Ok(elsewhere)) = (ask(&second), ask(&elsewhere)) else { return Ok(()) };
