@@ -51,6 +51,18 @@ pub enum Directions {
     Different,
 }
 
+impl Directions {
+    /// The name: "same", "opposite", "different".
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Same => "same",
+            Self::Opposite => "opposite",
+            Self::Different => "different",
+        }
+    }
+}
+
 /// The number `β` with `vector = β base`, if there is one; `base` is not zero.
 fn ratio(vector: &[Rational], base: &[Rational]) -> Option<Rational> {
     let (x, b) = vector.iter().zip(base).find(|(_, b)| !b.is_zero())?;

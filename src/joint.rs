@@ -1,6 +1,6 @@
 //! Where two pieces meet, and the conditions of a smooth join one by one.
 
-use crate::affine::{Frame, Parameter, PlaneParameter};
+use crate::affine::{Frame, Parameter, PlaneParameter, Triangle};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::piece::{Equation, Piece};
@@ -48,7 +48,7 @@ impl JoinCondition {
 }
 
 /// The vertices of a patch around its frame.
-fn corners(frame: &Frame<Rational>) -> Vec<[Rational; 2]> {
+pub(crate) fn corners(frame: &Frame<Rational>) -> Vec<[Rational; 2]> {
     match frame {
         Frame::Interval(_) => Vec::new(),
         Frame::Triangle(frame) => frame.vertices().to_vec(),
@@ -184,6 +184,49 @@ fn rectangles(
         }
     }
     Ok(conditions)
+}
+
+/// Four control points of two triangles that are to be an affine image of
+/// `p`, `s`, `t` and `q`, the vertices of their frames (CS348a, lecture 12, section 5).
+#[derive(Clone, Debug, PartialEq)]
+pub struct AffineGroup {
+    /// The other arguments of all four polar values, such as `s,t`.
+    pub label: String,
+    /// `A(p,…)`, `A(s,…)`, `A(t,…)` and `B(q,…)`.
+    pub points: [Vec<Rational>; 4],
+    /// Whether one affine map takes the vertices to them: `B(q,…)` is the same
+    /// combination of the others as `q` is of `p`, `s` and `t`.
+    pub holds: bool,
+}
+
+/// The condition for continuity of order 1 between two triangles in the form
+/// of an affine image: the barycentric coordinates of `q` in `p`, `s`, `t`, and
+/// for every choice of the other arguments from `s` and `t` the four points.
+/// One affine map a choice takes the quadrilateral of the vertices to them.
+///
+/// # Errors
+/// [`Error::WrongShape`] unless both are triangles with the joint as a side.
+pub fn affine_groups(first: &Piece, second: &Piece, joint: &Joint) -> Result<([Rational; 3], Vec<AffineGroup>), Error> {
+    let (Piece::Triangle(a), Piece::Triangle(b), Joint::Edge([s, t])) = (first, second, joint) else { return Err(unfit()) };
+    let off = |patch: &TriangularPatch| patch.frame().vertices().iter().find(|vertex| *vertex != s && *vertex != t).cloned();
+    let (p, q) = (off(a).ok_or_else(unfit)?, off(b).ok_or_else(unfit)?);
+    let degree = a.degree().max(b.degree());
+    let over = |patch: &TriangularPatch, inner: &[Rational; 2]| -> Result<TriangularPatch, Error> {
+        let frame = Triangle::new(inner.clone(), s.clone(), t.clone())?;
+        Ok(patch.elevate(degree - patch.degree()).reframe(&frame)?)
+    };
+    let (a, b) = (over(a, &p)?, over(b, &q)?);
+    let weights = a.frame().barycentric(&q)?;
+    let group = |last: usize| {
+        let first = degree - 1 - last;
+        let points = [a.point(1, first), a.point(0, first + 1), a.point(0, first), b.point(1, first)].map(<[Rational]>::to_vec);
+        let image = |axis: usize| (0..3).map(|k| &points[k][axis] * &weights[k]).sum::<Rational>();
+        let holds = (0..points[3].len()).all(|axis| image(axis) == points[3][axis]);
+        let label = polar_label(&[("s", first), ("t", last)]).trim_start_matches("f(").trim_end_matches(')').to_owned();
+        AffineGroup { label, points, holds }
+    };
+    let groups = (0..degree).map(group).collect();
+    Ok((weights, groups))
 }
 
 /// The net that a smooth neighbour is bound to have.

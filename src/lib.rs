@@ -37,7 +37,7 @@
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `repair`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `meeting`, `repair`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -73,6 +73,7 @@ mod implicit;
 mod joint;
 mod kernel;
 mod matrix;
+mod meeting;
 mod mesh;
 #[cfg(feature = "cli")]
 pub mod model;
@@ -120,9 +121,10 @@ pub use flatness::Flattening;
 pub use geometric::{Directions, GeometricJoin, SingularJoint, geometric_join, geometric_join_of_ends, geometric_join_of_rational};
 pub use hull::{ConvexHull, bounding_box};
 pub use implicit::{ConicType, ImplicitCurve, Parameters};
-pub use joint::{Extension, JoinCondition, Joint, extend, join_conditions};
+pub use joint::{AffineGroup, Extension, JoinCondition, Joint, affine_groups, extend, join_conditions};
 pub use kernel::coefficient::Coefficient;
 pub use matrix::bernstein_matrix;
+pub use meeting::Meeting;
 pub use mesh::Mesh;
 pub use piece::{Equation, Piece};
 pub use quadric::{QUADRIC_MONOMIALS, QuadricClass, QuadricSurface};

@@ -81,9 +81,9 @@ pub fn repair_to_order(first: &Piece, second: &Piece, joint: &Joint, order: usiz
         return Err(Error::TooLarge { what: "number of conditions of a repair", limit: Repair::MAX_CONDITIONS });
     }
     let Some(moves) = least_solution(rows, count) else {
+        let why = if rational { " with these weights, or at all" } else { "" };
         return Err(Error::Unsupported(format!(
-            "no change of the second piece makes the join C{order}: its degree{} too low; `casteljau elevate` raises it",
-            if rational { " and weights leave no room, or it is" } else { " is" }
+            "no change of the second piece makes the join C{order}: its degree is too low{why}; `casteljau elevate` raises it"
         )));
     };
     let moved = |(point, change): (&[Rational], Vec<Rational>)| -> Vec<Rational> {

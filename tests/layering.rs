@@ -39,6 +39,7 @@ const LAYERS: &[&[&str]] = &[
         "smoothness",
         "tangent",
         "repair",
+        "meeting",
         "algebraic",
     ],
     &["cubic", "implicit", "quadric"],

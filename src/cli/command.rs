@@ -87,16 +87,22 @@ fn subcommand(verb: &'static str) -> Command {
         };
         command = command
             .arg(Arg::new("input").value_name(names).help("The input itself, `-` for standard input, or the path of a .json shape file"))
-            .arg(Arg::new("file").long("input").value_name("FILE").help("Read the input from a file"))
-            .arg(
-                Arg::new("vars")
-                    .long("vars")
-                    .value_name("LETTERS")
-                    .help("The letters of the parameters: one of a curve (t unless said), two of a surface"),
-            );
+            .arg(Arg::new("file").long("input").value_name("FILE").help("Read the input from a file"));
+        if names.starts_with("EXPR") {
+            let letters = "The letters of the parameters: one of a curve (t unless said), two of a surface";
+            command = command.arg(Arg::new("vars").long("vars").value_name("LETTERS").help(letters));
+        }
     }
     if positional(&["other_curve", "other_surface", "other_points"]) {
-        command = command.arg(Arg::new("other").value_name("OTHER").help("The second curve or surface, as an equation or as points"));
+        command = command.arg(Arg::new("other").value_name("OTHER").help(
+            if positional(&["other_points"]) && positional(&["other_curve", "other_surface"]) {
+                "The second curve or surface, as an equation, as points, or the path of a .json shape file"
+            } else if positional(&["other_points"]) {
+                "The control points of the second curve or surface, or the path of a .json shape file"
+            } else {
+                "The second curve or surface, as an equation"
+            },
+        ));
     }
     for parameter in parameters.iter().filter(|parameter| !parameter.flag.is_empty()) {
         command = command.arg(flag(parameter));
@@ -112,6 +118,11 @@ fn subcommand(verb: &'static str) -> Command {
                 .long("output")
                 .value_name("FILE")
                 .help("Write the picture to a .svg file, or the mesh of a surface to .obj or .glb"),
+        );
+    }
+    if parameters.iter().any(|parameter| parameter.flag == "repair") {
+        command = command.arg(
+            Arg::new("output").short('o').long("output").value_name("FILE").help("Also write the repaired piece to a .json shape file"),
         );
     }
     command

@@ -13,6 +13,7 @@ mod read;
 mod select;
 mod shape;
 mod source;
+mod target;
 mod value;
 
 use std::ffi::OsString;
@@ -26,7 +27,7 @@ use crate::kernel::coefficient::Coefficient;
 use crate::report::{self, Notation};
 use crate::symbolic::Symbol;
 use crate::syntax::Style;
-use crate::value::{Answer, Arguments, Value};
+use crate::value::{Answer, Arguments, Finding, RepairFinding, Value};
 use diagnostic::Problem;
 use ending::Ending;
 use given::Given;
@@ -97,7 +98,7 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<Ending, Problem> {
 fn operate(verb: &str, matches: &ArgMatches) -> Result<bool, Problem> {
     refuse_decimals(matches)?;
     if let Some(path) = flags::text_of(matches, "output") {
-        writable(path)?;
+        writable(verb, path)?;
     }
     let mut notes = Vec::new();
     // A gallery is of nothing in particular.
@@ -132,7 +133,13 @@ fn tell(note: &str) {
 }
 
 /// Refuses a file whose ending says nothing about what to write into it.
-fn writable(path: &str) -> Result<(), Problem> {
+fn writable(verb: &str, path: &str) -> Result<(), Problem> {
+    if verb == "join" {
+        if path.ends_with(".json") {
+            return Ok(());
+        }
+        return Err(Problem::plain(format!("the repaired piece is written to a .json shape file: `{path}` ends otherwise")));
+    }
     if [".svg", ".obj", ".glb"].iter().any(|ending| path.ends_with(ending)) {
         return Ok(());
     }
@@ -144,6 +151,16 @@ fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer
         print(render(matches, arguments, answer)?.as_bytes())?;
         return Ok(answer.holds.unwrap_or(true));
     };
+    if let Some(Finding::Join(join)) = &answer.finding {
+        // The shape goes into the file, what was done to it is printed.
+        let Some(RepairFinding { repair, rational, .. }) = &join.repair else {
+            return Err(Problem::plain("--output is for the piece that --repair changes"));
+        };
+        let shape = crate::model::shape_text(&repair.piece, *rational).map_err(|fault| Problem::plain(fault.message))?;
+        target::replace(std::path::Path::new(path), shape.as_bytes())?;
+        print(render(matches, arguments, answer)?.as_bytes())?;
+        return Ok(answer.holds.unwrap_or(true));
+    }
     let document = match answer.fields.as_slice() {
         [(_, Value::Mesh(mesh))] if path.ends_with(".glb") => glb(mesh),
         [(_, Value::Document(_))] if !path.ends_with(".svg") => {

@@ -15,6 +15,7 @@ mod shape;
 mod splines;
 mod svg;
 mod wavefront;
+mod writer;
 mod xml;
 
 use crate::affine::Rectangle;
@@ -31,6 +32,7 @@ pub(crate) use json::{count, depth, excerpt, list, plain};
 pub(crate) use place::shown;
 pub use place::{Flaw, Place, Places};
 pub use shape::{ShapeFile, read_shape};
+pub use writer::shape_text;
 pub(crate) use shape::{frame, place, weights};
 
 /// The pieces of a file, and how they hang together.

@@ -9,6 +9,7 @@ mod curve;
 mod geometry;
 mod implicit;
 mod join;
+mod joint;
 pub(crate) mod limits;
 mod numbers;
 mod picture;

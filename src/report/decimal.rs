@@ -3,7 +3,9 @@
 use num_bigint::BigInt;
 use num_traits::Signed;
 
+use super::formula::Notation;
 use crate::exact::Rational;
+use crate::kernel::coefficient::Coefficient;
 
 /// The number rounded to `places` decimals, halves away from zero. The caller
 /// prints it behind `≈`, or behind `=` where [`Rational`] and decimal agree.
@@ -21,6 +23,24 @@ pub fn decimal(value: &Rational, places: usize) -> String {
     let (whole, fraction) = digits.split_at(digits.len() - places);
     let sign = if value.is_negative() && digits.bytes().any(|digit| digit != b'0') { "-" } else { "" };
     if places == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{fraction}") }
+}
+
+impl Notation {
+    /// Decimals behind an exact point, if asked for.
+    pub(super) fn approximately<C: Coefficient>(&self, point: &[C]) -> String {
+        let Some(places) = self.decimals else { return String::new() };
+        let numbers: Option<Vec<Rational>> = point.iter().map(Coefficient::as_rational).collect();
+        match numbers {
+            Some(numbers) if numbers.iter().any(|number| !number.is_integer()) => {
+                let decimals: Vec<String> = numbers.iter().map(|number| decimal(number, places)).collect();
+                match decimals.as_slice() {
+                    [only] => format!(" ≈ {only}"),
+                    several => format!(" ≈ ({})", several.join(", ")),
+                }
+            }
+            _ => String::new(),
+        }
+    }
 }
 
 #[cfg(test)]

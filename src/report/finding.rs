@@ -2,7 +2,7 @@
 
 use super::entry::Entry;
 use super::formula::Notation;
-use super::{cubic, implicit};
+use super::{cubic, implicit, join};
 use crate::value::Finding;
 
 fn entries(finding: &Finding, notation: &Notation) -> Vec<Entry> {
@@ -11,6 +11,9 @@ fn entries(finding: &Finding, notation: &Notation) -> Vec<Entry> {
         Finding::Family(family) => cubic::family(family, notation),
         Finding::Implicit(found) => implicit::curve(found, notation),
         Finding::Quadric(found) => implicit::quadric(found, notation),
+        Finding::Join(found) => join::join(found, notation),
+        Finding::Extension(found) => join::extension(found, notation),
+        Finding::Spline(found) => join::spline(found, notation),
     }
 }
 

@@ -8,6 +8,7 @@ mod formula;
 #[cfg(feature = "cli")]
 pub mod github;
 mod implicit;
+mod join;
 #[cfg(feature = "cli")]
 pub mod joins;
 #[cfg(feature = "cli")]

@@ -187,7 +187,7 @@ fn shown<C: Coefficient>(point: &[C], weighted: bool, notation: &Notation) -> St
 }
 
 /// A label such as `f(r1;s2)` with its indices as subscripts.
-fn subscripts(label: &str) -> String {
+pub(super) fn subscripts(label: &str) -> String {
     let mut text = String::new();
     for letter in label.chars() {
         match letter {

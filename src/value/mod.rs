@@ -10,4 +10,4 @@ mod shapes;
 pub use answer::{Answer, Homogeneous, LabelledRow, Layers, Value};
 pub use arguments::Arguments;
 pub use domain::Domain;
-pub use finding::{CubicFinding, Finding, ImplicitFinding};
+pub use finding::{Contact, CubicFinding, Finding, ImplicitFinding, JoinFinding, RepairFinding, SplineFinding};

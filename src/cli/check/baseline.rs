@@ -1,7 +1,6 @@
 //! Baselines: findings that are known and fail nothing.
 
 use std::collections::BTreeMap;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -9,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::files::shown;
 use crate::audit::Verdict;
 use crate::cli::diagnostic::Problem;
+use crate::cli::target::replace;
 use crate::report::joins::{File, rule_of};
 
 #[derive(Deserialize, Serialize)]
@@ -35,22 +35,6 @@ type Key = (String, String, String);
 pub(super) struct Baseline {
     folder: PathBuf,
     counts: BTreeMap<Key, usize>,
-}
-
-/// Replaces a file in one step, so that nobody ever sees half of it.
-pub(super) fn replace(path: &Path, contents: &[u8]) -> Result<(), Problem> {
-    let failed = |error: std::io::Error| Problem::plain(format!("cannot write `{}`: {error}", path.display()));
-    let name = path.file_name().map_or_else(|| "output".into(), |name| name.to_string_lossy().into_owned());
-    let beside = path.with_file_name(format!(".{name}.{}.part", std::process::id()));
-    let written = std::fs::File::create(&beside).and_then(|mut file| {
-        file.write_all(contents)?;
-        file.sync_all()
-    });
-    written.and_then(|()| std::fs::rename(&beside, path)).map_err(|error| {
-        // Best effort: what could not be written may not be there to remove.
-        let _ = std::fs::remove_file(&beside);
-        failed(error)
-    })
 }
 
 impl Baseline {

@@ -74,7 +74,7 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
     let mut output = Vec::new();
     print(matches, &examined, coloured, &mut output).map_err(Problem::output)?;
     match text_of(matches, "output") {
-        Some(path) => baseline::replace(Path::new(path), &output)?,
+        Some(path) => super::target::replace(Path::new(path), &output)?,
         None => {
             let mut out = io::stdout().lock();
             out.write_all(&output).and_then(|()| out.flush()).map_err(Problem::output)?;

@@ -2,7 +2,7 @@
 
 use super::parameters::*;
 use super::{Growth, Kind, Operation, Parameter, Run};
-use crate::ops::join;
+use crate::ops::{join, joint};
 use crate::value::Domain;
 
 const CURVES: &[Domain] = &[Domain::Curve];
@@ -14,6 +14,25 @@ const B: Parameter = required("B", Kind::Piece, "", "the second piece");
 const PARAMETER: Parameter = required("at", Kind::Number, "", "the parameter of the joint");
 const EDGE: Parameter = required("edge", Kind::Edge, "", "the two shared points of the parameter plane");
 const AXIS: Parameter = required("axis", Kind::Word(&["u", "v"]), "", "the parameter that is constant on the joint");
+
+const OTHER_WEIGHTS: Parameter = optional("other_weights", Kind::Weights, "", "the weights of the second piece");
+const JOINT: Parameter =
+    optional("at", Kind::Number, "at", "the parameter of the joint of curves, if the frames do not say (to extend: s unless said)");
+const END: Parameter = optional(
+    "edge",
+    Kind::Word(ENDS),
+    "edge",
+    "the end or edge of the first piece: start, end; rs, st, tr; u0, u1, v0, v1 (to extend: end, st or u1 unless said)",
+);
+const OTHER_END: Parameter = optional(
+    "other_edge",
+    Kind::Word(ENDS),
+    "other-edge",
+    "that of the second piece, where the two meet in space whatever their parameters",
+);
+const ENDS: &[&str] = &["start", "end", "rs", "st", "tr", "u0", "u1", "v0", "v1"];
+const ORDERS: &[&str] = &["C0", "C1", "C2", "C3", "C4", "G1", "G2", "G3"];
+const REQUIRE: &str = "exit status 1 unless it is at least this smooth: C0 to C4, or G1 to G3 (patches to G1)";
 
 const fn row(name: &'static str, domains: &'static [Domain], doc: &'static str, parameters: &'static [Parameter], run: Run) -> Operation {
     Operation { name, verb: "", domains, selected_by: &[], doc, example: "", parameters, growth: Growth::Linear, run }
@@ -27,21 +46,54 @@ pub(super) const OPERATIONS: &[Operation] = &[
         verb: "join",
         domains: ALL,
         selected_by: &[],
-        doc: "The order of continuity between two pieces, condition by condition",
+        doc: "The parametric and geometric order of continuity between two pieces, condition by condition",
         example: "casteljau join '(0,0) (1,2) (3,2) (4,0)' '(4,0) (5,-2) (7,1)' --over 0..1 --other-over 1..2",
         parameters: &[
+            EITHER_CURVE,
+            EITHER_SURFACE,
             EITHER_POINTS,
             WEIGHTS,
             OVER,
+            OTHER_CURVE,
+            OTHER_SURFACE,
             OTHER_POINTS,
-            optional("other_weights", Kind::Weights, "", "the weights of the second piece"),
+            OTHER_WEIGHTS,
             OTHER_OVER,
-            optional("at", Kind::Number, "at", "the parameter where two curves join, if their frames do not say"),
+            JOINT,
+            END,
+            OTHER_END,
             optional("order", Kind::Count, "order", "list the conditions up to this order"),
-            optional("require", Kind::Word(&["C0", "C1", "C2", "C3", "C4"]), "require", "exit status 1 unless it is at least this smooth"),
+            optional("require", Kind::Word(ORDERS), "require", REQUIRE),
         ],
         growth: Growth::Scheme,
-        run: Run::Numeric(join::join),
+        run: Run::Numeric(joint::join),
+    },
+    Operation {
+        name: "join.repair",
+        verb: "join",
+        domains: ALL,
+        selected_by: &["repair"],
+        doc: "The change of the second piece with the least sum of squared displacements that makes the join as smooth as required",
+        example: "casteljau join '(0,0) (1,2) (3,2) (4,0)' '(4,0) (5,-1) (7,1)' --over 0..1 --other-over 1..2 --repair --require G1",
+        parameters: &[
+            EITHER_CURVE,
+            EITHER_SURFACE,
+            EITHER_POINTS,
+            WEIGHTS,
+            OVER,
+            OTHER_CURVE,
+            OTHER_SURFACE,
+            OTHER_POINTS,
+            OTHER_WEIGHTS,
+            OTHER_OVER,
+            JOINT,
+            END,
+            OTHER_END,
+            optional("repair", Kind::Flag, "repair", "move control points of the second piece; weights stay as they are"),
+            required("require", Kind::Word(ORDERS), "require", "what the join is to be: C0 to C4, or G1 with a constant ratio"),
+        ],
+        growth: Growth::Scheme,
+        run: Run::Numeric(joint::repair),
     },
     Operation {
         name: "join.extend",
@@ -51,6 +103,8 @@ pub(super) const OPERATIONS: &[Operation] = &[
         doc: "The control points that a neighbour with continuity of some order is forced to have, and the free ones",
         example: "casteljau join '(0,0) (1,2) (3,2) (4,0)' --over 0..1 --extend 2 --order 1",
         parameters: &[
+            EITHER_CURVE,
+            EITHER_SURFACE,
             EITHER_POINTS,
             OVER,
             required(
@@ -59,12 +113,12 @@ pub(super) const OPERATIONS: &[Operation] = &[
                 "extend",
                 "the neighbour's vertex off the joint: where a curve or rectangle ends, or a point of the plane",
             ),
-            optional("at", Kind::Number, "at", "the end of a curve that it is continued from (s unless said)"),
-            optional("edge", Kind::Word(EDGES), "edge", "the edge of a patch: rs, st (unless said) or tr; u0, u1 (unless said), v0 or v1"),
+            JOINT,
+            END,
             required("order", Kind::Count, "order", "the order of continuity"),
         ],
         growth: Growth::Linear,
-        run: Run::Numeric(join::extension),
+        run: Run::Numeric(joint::extension),
     },
     Operation {
         name: "bspline.pieces",

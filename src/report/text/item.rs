@@ -1,10 +1,8 @@
 //! The entries of lists: Bernstein polynomials, roots, defects of a claim.
 
 use super::{Page, join};
-use crate::affine::Frame;
 use crate::blossom::PolarDefect;
 use crate::kernel::coefficient::Coefficient;
-use crate::piece::Piece;
 use crate::reading::Reading;
 use crate::syntax::printer;
 use crate::value::{Homogeneous, Value};
@@ -28,32 +26,7 @@ impl<C: Coefficient> Page<'_, C> {
                     self.lines.push(format!("{place}{times}"));
                     return Ok(());
                 }
-                if let (Some(Value::Frame(Frame::Interval(interval))), Some(Value::Curve(curve))) = (get("interval"), get("curve")) {
-                    // A piece of a spline, as its control points.
-                    let segment = curve.segment(interval).map_err(|error| error.to_string())?;
-                    self.piece(&Piece::Curve(segment));
-                } else if let (Some(Value::Number(knot)), Some(order)) = (get("knot"), get("max_k")) {
-                    let order = match order {
-                        Value::Count(order) => format!("C{order}"),
-                        Value::Word(_) => "the same polynomial map on both sides".to_owned(),
-                        _ => "not even C0".to_owned(),
-                    };
-                    self.lines.push(format!("at {}: {order}", self.notation.number(knot)));
-                } else if let (Some(Value::Document(label)), Some(forced)) = (get("label"), get("forced")) {
-                    self.lines.push(match forced {
-                        Value::Point(_) => format!("{label} = {}", self.inline(forced)),
-                        _ => format!("{label} is free"),
-                    });
-                } else if let (Some(Value::Document(label)), Some(Value::Point(first)), Some(Value::Point(second))) =
-                    (get("label"), get("first"), get("second"))
-                {
-                    let label = label.trim_start_matches('f');
-                    let (first, second) = (self.notation.point(first), self.notation.point(second));
-                    self.lines.push(match get("defect") {
-                        None => format!("A{label} = B{label}  {first} = {second}"),
-                        Some(defect) => format!("A{label} ≠ B{label}  {first} ≠ {second}, by {}", self.inline(defect)),
-                    });
-                } else if let (Some(index), Some(polynomial)) = (get("index"), get("polynomial")) {
+                if let (Some(index), Some(polynomial)) = (get("index"), get("polynomial")) {
                     self.basis_function(index, polynomial, get("maximum"), get("value"));
                 } else if let (
                     Some(Value::Word(name)),

@@ -3,12 +3,10 @@
 mod item;
 mod net;
 
-use super::decimal::decimal;
 use super::finding;
 use super::formula::Notation;
 use crate::blossom::PolarForm;
 use crate::draw::obj;
-use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::reading::Reading;
 use crate::scheme::polar_label;
@@ -49,19 +47,6 @@ impl<C: Coefficient> Page<'_, C> {
         };
         match value {
             Value::Truth(truth) => self.truth(name, &title, *truth),
-            Value::Count(_) | Value::Word(_) | Value::Integer(_) if name.ends_with("max_k") => {
-                let order = match value {
-                    Value::Count(order) => format!("C{order}"),
-                    Value::Word(_) => "the same map".to_owned(),
-                    _ => "not even C0".to_owned(),
-                };
-                let what = match name {
-                    "homogeneous_max_k" => "in homogeneous space: ",
-                    "scaled_homogeneous_max_k" => "in homogeneous space, up to a factor: ",
-                    _ => "",
-                };
-                self.lines.push(format!("{what}{order}"));
-            }
             Value::Count(count) => self.lines.push(format!("{title}: {count}")),
             Value::Integer(number) => self.lines.push(format!("{title}: {number}")),
             Value::Counts(counts) => self.lines.push(format!("{title}: ({})", join(counts))),
@@ -70,10 +55,6 @@ impl<C: Coefficient> Page<'_, C> {
             Value::Word("edge") if name == "place" => self.lines.push("on an edge".to_owned()),
             Value::Word(_) if name == "place" => {}
             Value::Word(word) => self.lines.push(format!("{title}: {word}")),
-            Value::Number(number) if name == "at" => self.lines.push(format!("s = {}", self.notation.number(number))),
-            Value::Points(ends) if name == "edge" && ends.len() == 2 => {
-                self.lines.push(format!("s = {}, t = {}", self.notation.point(&ends[0]), self.notation.point(&ends[1])));
-            }
             Value::Number(number) => {
                 self.lines.push(format!("{title}: {}{}", self.notation.number(number), self.approximately(std::slice::from_ref(number))))
             }
@@ -160,12 +141,6 @@ impl<C: Coefficient> Page<'_, C> {
                 self.lines.push(format!("{title}: none, the rectangle has no width"));
             }
             Value::Nothing if name == "point" => self.lines.push("the point is at infinity: its weight is 0".to_owned()),
-            Value::Record(fields) if name == "inserted" => {
-                self.lines.push("with the knot inserted:".to_owned());
-                for (name, value) in fields {
-                    self.field(name, value, true)?;
-                }
-            }
             Value::Record(fields) if name == "largest" => {
                 let get =
                     |name: &str| fields.iter().find(|(key, _)| *key == name).map_or_else(String::new, |(_, value)| self.inline(value));
@@ -220,20 +195,8 @@ impl<C: Coefficient> Page<'_, C> {
         format!("{}{decimals}", self.notation.weighted(point))
     }
 
-    /// Decimals behind an exact point, if asked for.
     pub(super) fn approximately(&self, point: &[C]) -> String {
-        let Some(places) = self.notation.decimals else { return String::new() };
-        let numbers: Option<Vec<Rational>> = point.iter().map(Coefficient::as_rational).collect();
-        match numbers {
-            Some(numbers) if numbers.iter().any(|number| !number.is_integer()) => {
-                let decimals: Vec<String> = numbers.iter().map(|number| decimal(number, places)).collect();
-                match decimals.as_slice() {
-                    [only] => format!(" ≈ {only}"),
-                    several => format!(" ≈ ({})", several.join(", ")),
-                }
-            }
-            _ => String::new(),
-        }
+        self.notation.approximately(point)
     }
 
     fn truth(&mut self, name: &str, title: &str, truth: bool) {
@@ -250,9 +213,7 @@ impl<C: Coefficient> Page<'_, C> {
     }
 
     fn numbers(&mut self, name: &str, title: &str, numbers: &[C]) {
-        if name == "knots" {
-            self.lines.push(format!("knots: {}", numbers.iter().map(|knot| self.notation.number(knot)).collect::<Vec<_>>().join(" ")));
-        } else if name == "barycentric" {
+        if name == "barycentric" {
             let list: Vec<String> = numbers.iter().map(|number| self.notation.number(number)).collect();
             self.lines.push(format!("(λ, μ, ν) = ({}){}", list.join(", "), self.approximately(numbers)));
         } else if name == "values" {
