@@ -2,8 +2,8 @@
 //! the joint, curves in changed parameters, splines with known knots.
 
 use casteljau::{
-    Continuity, Curve, Error, Extension, Interval, JoinCondition, Joint, Piece, Rational, Reading, Rectangle, RectangularPatch, Segment,
-    Side, Spline, Surface, Term, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves,
+    Continuity, Curve, Error, Extension, Interval, JoinCondition, Joint, Meeting, Piece, Rational, Reading, Rectangle, RectangularPatch,
+    Segment, Side, Spline, Surface, Term, Triangle, TriangularPatch, affine_groups, continuity_of_curves, continuity_of_rational_curves,
     continuity_of_rational_surfaces, continuity_of_surfaces, extend, geometric_join, join_conditions, tangent_plane_join,
 };
 use proptest::prelude::*;
@@ -118,6 +118,53 @@ proptest! {
             prop_assert!(conditions.iter().filter(|condition| condition.order < order).all(JoinCondition::holds));
             prop_assert!(conditions.iter().any(|condition| condition.order == order && !condition.holds()) || conditions.iter().all(|condition| condition.order < order));
         }
+    }
+
+    /// Continuity of order 1 is what makes every group of four points an affine image of the frames.
+    #[test]
+    fn groups_are_affine_images(terms in prop::collection::vec((0usize..3, 0usize..2, small()), 0..6), vertices in prop::array::uniform4([small(), small()]), factor in nonzero(), order in 0usize..4, raised in 0usize..2) {
+        let [p, s, t, q] = vertices;
+        let (Ok(own), Ok(other)) = (Triangle::new(s.clone(), p, t.clone()), Triangle::new(q.clone(), s.clone(), t.clone())) else { return Ok(()) };
+        let (a, b) = (&t[1] - &s[1], &s[0] - &t[0]);
+        let c = -(&a * &s[0] + &b * &s[1]);
+        let mut changed = terms.clone();
+        changed.extend(linear_power(&[a, b, c], order).into_iter().map(|(h, k, x)| (h, k, x * &factor)));
+        let over = |terms: &[Term], frame: Triangle| Surface::new(Reading::Total(3), vec![terms.to_vec()]).and_then(|surface| surface.over_triangle(&frame)).expect("a patch");
+        let (first, second) = (Piece::Triangle(over(&terms, own.clone()).elevate(raised)), Piece::Triangle(over(&changed, other)));
+        let (weights, groups) = affine_groups(&first, &second, &Joint::Edge([s.clone(), t.clone()])).expect("two triangles");
+        prop_assert_eq!(groups.len(), 3 + raised);
+        prop_assert_eq!(weights.iter().sum::<Rational>(), Rational::from(1));
+        // In the order p, s, t: the first vertex of the frame is s here.
+        prop_assert_eq!(own.at(&[weights[1].clone(), weights[0].clone(), weights[2].clone()]), q);
+        let holds = groups.iter().all(|group| group.holds);
+        prop_assert_eq!(holds, order >= 2, "{:?}", groups);
+    }
+
+    /// Pieces that are moved in their parameters are found by their position in space.
+    #[test]
+    fn common_edges_are_found_by_position(points in prop::collection::vec([small(), small(), small()], 9), more in prop::collection::vec([small(), small(), small()], 6), side in 0usize..4, reversed: bool, weights in prop::collection::vec(1i64..4, 9), rational: bool) {
+        let lifted = |point: &[Rational; 3], weight: i64| -> Vec<Rational> {
+            let weight = Rational::from(weight);
+            if rational { point.iter().map(|x| x * &weight).chain([weight.clone()]).collect() } else { point.to_vec() }
+        };
+        let all: Vec<Vec<Rational>> = points.iter().zip(&weights).map(|(point, weight)| lifted(point, *weight)).collect();
+        let frame = Rectangle::unit();
+        let first = Piece::Rectangle(RectangularPatch::from_points((2, 2), all.clone(), frame.clone()).expect("a patch"));
+        let mut edge: Vec<Vec<Rational>> = match side {
+            0 => all[..3].to_vec(),
+            1 => all[6..].to_vec(),
+            2 => all.iter().step_by(3).cloned().collect(),
+            _ => all.iter().skip(2).step_by(3).cloned().collect(),
+        };
+        if reversed {
+            edge.reverse();
+        }
+        // Twice the homogeneous points are the same points.
+        let factor = Rational::from(if rational { 2 } else { 1 });
+        let other = edge.iter().map(|point| point.iter().map(|x| x * &factor).collect()).chain(more.iter().map(|point| lifted(point, 1)));
+        let second = Piece::Rectangle(RectangularPatch::from_points((2, 2), other.collect(), frame).expect("a patch"));
+        let found = Meeting::by_position(&first, &second, rational).expect("one dimension");
+        prop_assert!(found.contains(&Meeting::Sides([Side::U0, Side::U1, Side::V0, Side::V1][side], Side::U0)), "{:?}", found);
     }
 
     /// A neighbour that takes the forced points over joins as smoothly as promised, whatever the free ones are.
