@@ -5,7 +5,7 @@ use casteljau::audit::{Audit, Contact, Join, Requirement, Rounding, Terms, Verdi
 use casteljau::model::{Decimals, Format, Model, Part, Place};
 use casteljau::{
     Continuity, Interval, Piece, Rational, Rectangle, RectangularPatch, Segment, Side, Triangle, TriangularPatch, continuity_of_curves,
-    continuity_of_surfaces,
+    continuity_of_surfaces, tangent_plane_join,
 };
 use proptest::prelude::*;
 
@@ -162,6 +162,26 @@ proptest! {
             let ratio = if swapped { two.ratio.as_ref().and_then(Rational::recip) } else { two.ratio.clone() };
             prop_assert_eq!(&one.ratio, &ratio);
             prop_assert_eq!(casteljau::report::joins::fingerprint(one), casteljau::report::joins::fingerprint(two));
+        }
+    }
+
+    #[test]
+    fn tangent_planes_agree_where_their_polynomials_do((first, second, _) in neighbours()) {
+        // The twin computes with polynomials over the rational numbers.
+        let audit = checked(vec![rectangle(&first), rectangle(&second)], &Terms::default());
+        let Some(join) = only(&audit) else { return Ok(()) };
+        let slow = tangent_plane_join((&rectangle(&first), join.first.1), (&rectangle(&second), join.second.1), false).expect("a comparison");
+        let expected = match (slow.coplanar, slow.opposite_sides) {
+            _ if join.contact.is_degenerate() => return Ok(prop_assert!(slow.g1() != Some(false))),
+            (Some(true), Some(true)) => Contact::Smooth,
+            (Some(true), Some(false)) => Contact::Fold,
+            (Some(false), _) => Contact::Kink,
+            // The twin leaves open what a constant ratio settles.
+            _ => return Ok(prop_assert!(join.ratio.is_some())),
+        };
+        prop_assert_eq!(join.contact, expected);
+        if let Some(ratio) = &join.ratio {
+            prop_assert_eq!(slow.ratio.and_then(|quotient| quotient.constant()), Some(ratio.clone()));
         }
     }
 

@@ -10,7 +10,7 @@ use crate::continuity::{
 };
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::geometric::geometric_join;
+use crate::geometric::geometric_join_of_ends;
 use crate::joint::{Joint, extend};
 use crate::model::Part;
 use crate::piece::{Equation, Piece};
@@ -170,16 +170,15 @@ impl Pair<'_> {
 
     /// The order of geometric continuity of two curves with a common tangent.
     pub(super) fn geometric_curves(&self) -> Option<usize> {
-        if self.is_rational() {
-            // Where Cartesian derivatives agree, so do curvatures.
-            return match self.parametric() {
-                Continuity::Broken => None,
-                Continuity::C(order) => Some(order.min(3)),
-                Continuity::Same => Some(3),
-            };
-        }
-        let (Piece::Curve(a), Piece::Curve(b), Joint::Parameter(at)) = self.over_frames().ok()? else { return None };
-        geometric_join(&a.curve().ok()?, &b.curve().ok()?, &at, &at).ok()?.order
+        let rational = self.is_rational();
+        let segment = |place: Place| -> Option<Segment> {
+            let part = self.part(place);
+            let Piece::Curve(segment) = &part.piece else { return None };
+            let points = segment.points().map(|point| lifted(part, point, rational)).collect();
+            Segment::from_points(points, segment.frame().clone()).ok()
+        };
+        let (a, b) = (segment(self.mate.first)?, segment(self.mate.second)?);
+        geometric_join_of_ends((&a, self.mate.first.1), (&b, self.mate.second.1), rational).ok()?.order
     }
 
     /// The ratio of the differences behind the joint that equal first derivatives need.

@@ -32,8 +32,8 @@ pub(crate) use json::{count, depth, excerpt, list, plain};
 pub(crate) use place::shown;
 pub use place::{Flaw, Place, Places};
 pub use shape::{ShapeFile, read_shape};
-pub use writer::shape_text;
 pub(crate) use shape::{frame, place, weights};
+pub use writer::shape_text;
 
 /// The pieces of a file, and how they hang together.
 #[derive(Clone, Debug)]

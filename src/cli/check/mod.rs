@@ -62,8 +62,7 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
     if from_input {
         let mut text = String::new();
         io::stdin().lock().read_to_string(&mut text).map_err(|error| Problem::plain(format!("cannot read standard input: {error}")))?;
-        let outcome = judge(text, format, &settings.of(Path::new("-"), &above));
-        examined.insert(0, File { path: "standard input".into(), outcome });
+        examined.insert(0, judged("standard input".into(), text, format, &settings.of(Path::new("-"), &above)));
     }
     if let Some(known) = known {
         let gone = known.mark(&mut examined);
@@ -84,7 +83,7 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
         if !path.ends_with(".svg") {
             return Err(Problem::plain(format!("findings are drawn as .svg: `{path}` ends otherwise")));
         }
-        baseline::replace(Path::new(path), crate::draw::joins(&examined)?.as_bytes())?;
+        super::target::replace(Path::new(path), crate::draw::joins(&examined)?.as_bytes())?;
     }
     let summary = Summary::of(&examined);
     let written = match text_of(matches, "write-baseline") {
@@ -137,31 +136,37 @@ fn progress(files: usize, quiet: bool) -> ProgressBar {
 /// Reads a file and judges its joins; nothing comes of a file in a folder that
 /// holds something else.
 fn examine(candidate: &Candidate, format: Option<Format>, demands: &Demands) -> Option<File> {
-    let outcome = match files::text(&candidate.path) {
-        Err(message) => Err(Flaw::of_file(message)),
-        Ok(text) => {
-            let by_path = Format::of_path(&candidate.path);
-            if !candidate.named && by_path == Some(Format::Shape) && Format::of_content(&text) != Some(Format::Shape) {
-                return None;
-            }
-            judge(text, format.or(by_path), demands)
-        }
+    let by_path = Format::of_path(&candidate.path);
+    let file = match files::text(&candidate.path) {
+        Err(message) => File { path: candidate.shown(), text: None, outcome: Err(Flaw::of_file(message)) },
+        // Many files are JSON; shapes say of what kind they are.
+        Ok(text) if !candidate.named && by_path == Some(Format::Shape) && !text.contains("\"kind\"") => return None,
+        Ok(text) => judged(candidate.shown(), text, format.or(by_path), demands),
     };
-    let empty = outcome.as_ref().is_ok_and(|examined| examined.model.parts.is_empty());
-    (candidate.named || !empty).then(|| File { path: candidate.shown(), outcome })
+    let empty = file.outcome.as_ref().is_ok_and(|examined| examined.model.parts.is_empty());
+    (candidate.named || !empty).then_some(file)
 }
 
-fn judge(text: String, format: Option<Format>, demands: &Demands) -> Result<Examined, Flaw> {
+/// A file with the verdicts on its joins.
+fn judged(path: String, text: String, format: Option<Format>, demands: &Demands) -> File {
+    let outcome = judge(&text, format, demands);
+    let shown = match &outcome {
+        Ok(examined) => examined.audit.joins.iter().any(|join| matches!(join.verdict, Verdict::Violated | Verdict::Degenerate)),
+        Err(flaw) => flaw.place.is_some(),
+    };
+    File { path, text: shown.then_some(text), outcome }
+}
+
+fn judge(text: &str, format: Option<Format>, demands: &Demands) -> Result<Examined, Flaw> {
     let unknown = || {
         let names = Format::ALL.map(Format::name).join(", ");
         Flaw::of_file(format!("neither the ending nor the content tells the format: --read-as takes {names}"))
     };
-    let format = format.or_else(|| Format::of_content(&text)).ok_or_else(unknown)?;
-    let model = read(&text, format)?;
+    let format = format.or_else(|| Format::of_content(text)).ok_or_else(unknown)?;
+    let model = read(text, format)?;
     let audit = audit(&model, &demands.terms(), demands.snap.as_ref()).map_err(|error| Flaw::of_file(error.to_string()))?;
     let fingerprints = audit.joins.iter().map(|join| (join.verdict == Verdict::Violated).then(|| fingerprint(join))).collect();
-    let shown = audit.joins.iter().any(|join| matches!(join.verdict, Verdict::Violated | Verdict::Degenerate));
-    Ok(Examined { known: vec![false; audit.joins.len()], fingerprints, text: shown.then_some(text), model, audit })
+    Ok(Examined { known: vec![false; audit.joins.len()], fingerprints, model, audit })
 }
 
 fn print(matches: &ArgMatches, files: &[File], coloured: bool, out: &mut dyn Write) -> io::Result<()> {

@@ -21,6 +21,8 @@ pub use text::{Style, text};
 pub struct File {
     /// The path, as the user names it.
     pub path: String,
+    /// Its text, where lines of it are to be shown.
+    pub text: Option<String>,
     /// What was found, or why it could not be examined.
     pub outcome: Result<Examined, Flaw>,
 }
@@ -36,8 +38,6 @@ pub struct Examined {
     pub fingerprints: Vec<Option<String>>,
     /// For every join, whether a baseline names it.
     pub known: Vec<bool>,
-    /// The text of the file, where its lines are to be shown.
-    pub text: Option<String>,
 }
 
 impl Examined {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use annotate_snippets::{AnnotationKind, Element, Group, Level, Origin, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Level, Origin, Renderer, Snippet, Title};
 
 use super::rules::rule_of;
 use super::wording::{demand, finding, location, remedy};
@@ -33,10 +33,8 @@ pub fn text(files: &[File], style: Style, out: &mut dyn Write) -> io::Result<()>
     for file in files {
         match &file.outcome {
             Err(flaw) => {
-                let place = flaw.place.map_or_else(String::new, |place| format!(":{place}"));
-                let origin = format!("{}{place}", file.path);
-                let group = Level::ERROR.primary_title(flaw.message.as_str()).element(Origin::path(origin.as_str()));
-                writeln!(out, "{}\n", renderer.render(&[group]))?;
+                let title = Level::ERROR.primary_title(flaw.message.as_str());
+                writeln!(out, "{}\n", located(&renderer, title, (&file.path, file.text.as_deref()), flaw.place, "here", &[]))?;
             }
             Ok(examined) => {
                 for (_, join) in examined.failures() {
@@ -82,42 +80,55 @@ fn window(line: &str, byte: usize) -> (String, usize) {
     };
     let (start, end) = (floor(byte.saturating_sub(REACH)), floor((byte + REACH).min(line.len())));
     let clean = |part: &str| part.chars().map(|c| if c.is_control() { ' ' } else { c }).collect::<String>();
-    let before = if start > 0 { format!("…{}", clean(&line[start..byte])) } else { clean(&line[..byte]).trim_start().to_owned() };
-    let behind = if end < line.len() { format!("{}…", clean(&line[byte..end])) } else { clean(&line[byte..]) };
+    let before = format!("{}{}", if start > 0 { "…" } else { "" }, clean(&line[start..byte]));
+    let behind = format!("{}{}", clean(&line[byte..end]), if end < line.len() { "…" } else { "" });
     let at = before.len();
     (before + behind.trim_end(), at)
+}
+
+/// A message with its place, the line there if it is known, and notes.
+fn located(
+    renderer: &Renderer,
+    title: Title<'_>,
+    (path, text): (&str, Option<&str>),
+    place: Option<Place>,
+    label: &str,
+    notes: &[String],
+) -> String {
+    let origin = Origin::path(path);
+    let Some(place) = place else {
+        let group = title.element(origin);
+        return renderer.render(&[notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())))]);
+    };
+    let group = title.element(origin.line(place.line as usize).char_column(place.column as usize));
+    let shown = text.and_then(|text| line(text, place)).map(|(line, byte)| window(line, byte));
+    let group = match &shown {
+        // Where there is nothing to point at a caret says nothing.
+        Some((line, byte)) => {
+            let end = line[*byte..].chars().next().map_or(*byte, |letter| byte + letter.len_utf8());
+            let annotation = AnnotationKind::Primary.span(*byte..end).label(label);
+            group.element(Snippet::source(line.as_str()).line_start(place.line as usize).annotation(annotation))
+        }
+        None => group,
+    };
+    renderer.render(&[notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())))])
 }
 
 fn one(renderer: &Renderer, file: &File, examined: &Examined, join: &Join) -> String {
     let code = rule_of(join).map_or("", |rule| rule.code);
     let demand = demand(examined, join);
-    let title = if demand.is_empty() { finding(join) } else { format!("{} ({demand})", finding(join)) };
+    let message = if demand.is_empty() { finding(join) } else { format!("{} ({demand})", finding(join)) };
     let level = if join.verdict == Verdict::Violated { Level::ERROR } else { Level::NOTE };
-    let place = examined.place(join);
-    let location = location(examined, join);
-    let shown =
-        examined.stated(join).and(examined.text.as_deref()).and_then(|text| line(text, place)).map(|(line, byte)| window(line, byte));
-    let group = match &shown {
-        Some((line, byte)) => {
-            let end = line[*byte..].chars().next().map_or(*byte, |letter| byte + letter.len_utf8());
-            let snippet = Snippet::source(line.as_str())
-                .line_start(place.line as usize)
-                .path(file.path.as_str())
-                .annotation(AnnotationKind::Primary.span(*byte..end).label(location.as_str()));
-            level.clone().primary_title(title.as_str()).id(code).element(Element::from(snippet))
-        }
-        None => {
-            let group = level.clone().primary_title(title.as_str()).id(code);
-            group.element(Origin::path(file.path.as_str()).line(place.line as usize).char_column(place.column as usize))
-        }
-    };
-    let mut notes = Vec::new();
-    if shown.is_none() {
-        notes.push(location.clone());
+    let title = level.primary_title(message.as_str()).id(code);
+    let place = Some(examined.place(join));
+    let label = location(examined, join);
+    let remedy = remedy(join);
+    if examined.stated(join).is_some() {
+        return located(renderer, title, (&file.path, file.text.as_deref()), place, &label, remedy.as_slice());
     }
-    notes.extend(remedy(join));
-    let group = notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())));
-    renderer.render(&[group as Group<'_>])
+    // The lines of a patch say little: its numbers are many.
+    let notes: Vec<String> = std::iter::once(label).chain(remedy).collect();
+    located(renderer, title, (&file.path, None), place, "", &notes)
 }
 
 fn counted(count: usize, one: &str, many: &str) -> String {

@@ -95,6 +95,10 @@ pub(super) fn remedy(join: &Join) -> Option<String> {
     }
     let curves = matches!(join.first.1, crate::side::Side::End | crate::side::Side::Start);
     let mut parts = Vec::new();
+    if let ([joint], [[a], [b]]) = (join.points.as_slice(), join.handles.each_ref().map(Vec::as_slice)) {
+        let tip = |handle: &[Rational]| point(&joint.iter().zip(handle).map(|(x, y)| x + y).collect::<Vec<_>>());
+        parts.push(format!("the handles end at {} and {}", tip(a), tip(b)));
+    }
     if let Some(offset2) = &join.offset2 {
         let what = if curves { "one handle moved by" } else { "one row of control points, each moved by up to" };
         parts.push(format!("{what} {} makes it smooth", length(offset2)));
