@@ -220,7 +220,7 @@ proptest! {
         let Some(join) = only(&plain).filter(|join| join.contact == Contact::Kink && !join.obtuse) else { return Ok(()) };
         let Some(sine) = slow_sine(&first, &second, &Rational::new(place, 8)) else { return Ok(()) };
         for degrees in ["0.5deg", "5deg", "30deg", "60deg", "89deg"] {
-            let terms = Terms { require: Some(Requirement::G1), tolerance: degrees.parse().expect("a tolerance") };
+            let terms = Terms { require: Some(Requirement::G1), tolerance: degrees.parse().expect("a tolerance"), ..Terms::default() };
             let bound = terms.tolerance.sin2().cloned().expect("an angle");
             let audit = checked(vec![rectangle(&first), rectangle(&second)], &terms);
             let verdict = audit.joins[0].verdict;

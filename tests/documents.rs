@@ -73,6 +73,14 @@ fn every_command_of_the_readme_prints_what_it_shows() {
 }
 
 #[test]
+fn every_command_about_checks_prints_what_it_shows() {
+    let document = std::fs::read_to_string(root().join("docs/check.md")).expect("the document");
+    let (text, commands) = replayed(&document, &root().join("tests/cli/check"));
+    assert!(commands >= 5, "only {commands} commands");
+    agree("docs/check.md", &text);
+}
+
+#[test]
 fn the_operations_are_those_of_the_table() {
     let mut text = String::from(
         "# Operations\n\n\

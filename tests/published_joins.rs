@@ -133,7 +133,7 @@ fn the_smooth_nodes_of_a_font() {
 #[test]
 fn one_thread_and_two_say_the_same() {
     let Some(folder) = folder("svg") else { return };
-    let terms = Terms { require: Some(Requirement::G1), tolerance: "1deg".parse().expect("a tolerance") };
+    let terms = Terms { require: Some(Requirement::G1), tolerance: "1deg".parse().expect("a tolerance"), ..Terms::default() };
     let all = || -> Vec<_> { files(&folder, ".svg").iter().map(|path| checked(path, &terms).1.joins).collect() };
     let on = |threads: usize| rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads").install(all);
     let (one, two) = (on(1), on(2));

@@ -120,6 +120,8 @@ pub struct Join {
 pub struct Terms {
     /// What every join must have; a promise in the file holds without it.
     pub require: Option<Requirement>,
+    /// Whether promises in the file are not held to.
+    pub ignores_promises: bool,
     /// What it may be off by.
     pub tolerance: Tolerance,
 }

@@ -163,7 +163,7 @@ impl Lattice {
         let most = Self::MAX_BITS / count.max(1) as u64;
         for number in parts.iter().flat_map(|part| part.piece.coordinates()) {
             match number.as_small() {
-                Some((_, denom)) if small % denom == 0 => {}
+                Some((_, denom)) if small.is_multiple_of(denom) => {}
                 _ => {
                     scale = scale.lcm(number.denom().magnitude());
                     if scale.bits() > most {

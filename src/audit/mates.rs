@@ -92,9 +92,9 @@ struct Corners<'a> {
 }
 
 impl<'a> Corners<'a> {
-    fn number(&mut self, point: &Cow<'a, [Rational]>) -> u32 {
+    fn number(&mut self, point: Cow<'a, [Rational]>) -> u32 {
         let next = u32::try_from(self.numbers.len()).unwrap_or(u32::MAX);
-        *self.numbers.entry(point.clone()).or_insert(next)
+        *self.numbers.entry(point).or_insert(next)
     }
 
     /// A new number for every number: the same for points in reach of each other.
@@ -200,7 +200,8 @@ impl Mates {
                     self.collapsed += 1;
                     continue;
                 }
-                let candidate = Candidate { place, from: corners.number(&points[0]), to: corners.number(&points[points.len() - 1]) };
+                let candidate =
+                    Candidate { place, from: corners.number(points[0].clone()), to: corners.number(points[points.len() - 1].clone()) };
                 if is_edge { edges.push(candidate) } else { ends.push(candidate) }
             }
         }

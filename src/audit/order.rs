@@ -34,7 +34,7 @@ fn derivatives<P: Points + ?Sized>(view: &View<'_, P>, order: usize, common: &Co
             if order > 1 {
                 term.multiply(factor);
             }
-            if (order - layer) % 2 == 0 { sum.add(&term) } else { sum.subtract(&term) }
+            if (order - layer).is_multiple_of(2) { sum.add(&term) } else { sum.subtract(&term) }
         }
         if common.across {
             sum.multiply(&falling);
@@ -70,7 +70,7 @@ pub(super) fn order<P: Points + ?Sized>(a: &View<'_, P>, b: &View<'_, P>) -> Con
     for order in 0..=most {
         let mut of_a = derivatives(a, order, &common);
         let of_b = derivatives(b, order, &common);
-        if order % 2 == 1 {
+        if !order.is_multiple_of(2) {
             // Into the second piece is out of the first.
             for number in &mut of_a {
                 let mut opposite = P::Number::nothing();

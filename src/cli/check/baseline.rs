@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::files::shown;
+use super::files::{relative, shown};
 use crate::audit::Verdict;
 use crate::cli::diagnostic::Problem;
 use crate::cli::target::replace;
@@ -74,10 +74,7 @@ impl Baseline {
     }
 
     fn key(&self, path: &str, rule: &str, fingerprint: &str) -> Key {
-        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let (full, folder) = (absolute(Path::new(path)), absolute(&self.folder));
-        let relative = full.strip_prefix(&folder).map_or_else(|_| path.to_owned(), shown);
-        (relative, rule.to_owned(), fingerprint.to_owned())
+        (shown(&relative(Path::new(path), &self.folder)), rule.to_owned(), fingerprint.to_owned())
     }
 
     /// Marks what is known; gives the number of known findings that did not occur.

@@ -32,6 +32,14 @@ pub(super) fn shown(path: &Path) -> String {
     text.strip_prefix("./").map_or_else(|| text.clone(), str::to_owned)
 }
 
+/// A path as seen from a folder; one that is not below it as it is.
+pub(super) fn relative(path: &Path, folder: &Path) -> PathBuf {
+    // The folder of a file that is named alone is the working directory.
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    absolute(path).strip_prefix(absolute(folder)).map_or_else(|_| path.to_owned(), Path::to_owned)
+}
+
 /// The files that paths stand for, in order of their paths: of a folder all
 /// below it with an ending that says their format, what version control ignores
 /// left out.

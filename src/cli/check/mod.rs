@@ -37,6 +37,9 @@ pub(super) fn check(matches: &ArgMatches, coloured: bool) -> Result<Ending, Prob
 
 fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
     let quiet = matches.get_flag("quiet");
+    if let Some(path) = text_of(matches, "plot").filter(|path| !path.ends_with(".svg")) {
+        return Err(Problem::plain(format!("findings are drawn as .svg: `{path}` ends otherwise")));
+    }
     let settings =
         if matches.get_flag("no-config") { Settings::default() } else { Settings::find(text_of(matches, "config").map(String::as_str))? };
     let above = demands(matches)?;
@@ -80,9 +83,6 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
         }
     }
     if let Some(path) = text_of(matches, "plot") {
-        if !path.ends_with(".svg") {
-            return Err(Problem::plain(format!("findings are drawn as .svg: `{path}` ends otherwise")));
-        }
         super::target::replace(Path::new(path), crate::draw::joins(&examined)?.as_bytes())?;
     }
     let summary = Summary::of(&examined);

@@ -17,7 +17,7 @@ const NAME: &str = "casteljau.toml";
 /// What is asked of joins, as far as it is said.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Demands {
-    /// `Some(None)`: nothing is required, whatever holds elsewhere.
+    /// `Some(None)`: nothing is required, not even what a file promises.
     pub(super) require: Option<Option<Requirement>>,
     pub(super) tolerance: Option<Tolerance>,
     pub(super) snap: Option<Rational>,
@@ -34,7 +34,11 @@ impl Demands {
     }
 
     pub(super) fn terms(&self) -> Terms {
-        Terms { require: self.require.flatten(), tolerance: self.tolerance.clone().unwrap_or_default() }
+        Terms {
+            require: self.require.flatten(),
+            ignores_promises: self.require == Some(None),
+            tolerance: self.tolerance.clone().unwrap_or_default(),
+        }
     }
 }
 
@@ -145,9 +149,7 @@ impl Settings {
 
     /// A path as patterns see it: relative to the settings' folder.
     fn relative(&self, path: &Path) -> PathBuf {
-        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let (path, folder) = (absolute(path), absolute(&self.folder));
-        path.strip_prefix(&folder).map_or_else(|_| path.clone(), Path::to_owned)
+        super::files::relative(path, &self.folder)
     }
 
     /// Whether files found at this path are left out.

@@ -31,7 +31,9 @@ pub fn notices(files: &[File]) -> (Vec<Notice>, Vec<Obstacle>) {
         let mut note = |rule: &'static Rule, place, message: String, fingerprint, known| {
             notices.push(Notice { rule, level: rule.level, path: file.path.clone(), place, message, fingerprint, known });
         };
-        for (index, join) in examined.audit.joins.iter().enumerate() {
+        let mut joins: Vec<(usize, &Join)> = examined.audit.joins.iter().enumerate().collect();
+        joins.sort_by_key(|(_, join)| examined.place(join));
+        for (index, join) in joins {
             if let Some(rule) = rule_of(join) {
                 let fingerprint = examined.fingerprints[index].clone();
                 note(rule, Some(examined.place(join)), sentence(examined, join), fingerprint, examined.known[index]);

@@ -37,13 +37,13 @@ pub fn text(files: &[File], style: Style, out: &mut dyn Write) -> io::Result<()>
                 writeln!(out, "{}\n", located(&renderer, title, (&file.path, file.text.as_deref()), flaw.place, "here", &[]))?;
             }
             Ok(examined) => {
-                for (_, join) in examined.failures() {
+                let degenerate = examined.audit.joins.iter().filter(|join| style.verbose && join.verdict == Verdict::Degenerate);
+                let mut shown: Vec<&Join> = examined.failures().map(|(_, join)| join).chain(degenerate).collect();
+                shown.sort_by_key(|join| examined.place(join));
+                for join in shown {
                     writeln!(out, "{}\n", one(&renderer, file, examined, join))?;
                 }
                 if style.verbose {
-                    for join in examined.audit.joins.iter().filter(|join| join.verdict == Verdict::Degenerate) {
-                        writeln!(out, "{}\n", one(&renderer, file, examined, join))?;
-                    }
                     for omitted in &examined.model.omissions {
                         writeln!(out, "note[J020]: {}\n  --> {}:{}\n", omitted.what, file.path, omitted.place)?;
                     }
@@ -100,16 +100,17 @@ fn located(
         let group = title.element(origin);
         return renderer.render(&[notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())))]);
     };
-    let group = title.element(origin.line(place.line as usize).char_column(place.column as usize));
-    let shown = text.and_then(|text| line(text, place)).map(|(line, byte)| window(line, byte));
+    let origin = origin.line(place.line as usize).char_column(place.column as usize);
+    let shown = text.and_then(|text| line(text, place)).map(|(line, byte)| (window(line, byte), byte));
     let group = match &shown {
-        // Where there is nothing to point at a caret says nothing.
-        Some((line, byte)) => {
-            let end = line[*byte..].chars().next().map_or(*byte, |letter| byte + letter.len_utf8());
-            let annotation = AnnotationKind::Primary.span(*byte..end).label(label);
-            group.element(Snippet::source(line.as_str()).line_start(place.line as usize).annotation(annotation))
+        None => title.element(origin),
+        Some(((line, at), byte)) => {
+            let end = line[*at..].chars().next().map_or(*at, |letter| at + letter.len_utf8());
+            let annotation = AnnotationKind::Primary.span(*at..end).label(label);
+            let snippet = Snippet::source(line.as_str()).line_start(place.line as usize).annotation(annotation);
+            // Of a line that is shown in part the place is told apart.
+            if at == byte { title.element(snippet.path(path)) } else { title.element(origin).element(snippet) }
         }
-        None => group,
     };
     renderer.render(&[notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())))])
 }
