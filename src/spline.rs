@@ -53,6 +53,11 @@ impl Spline {
     /// or no interval between the knots `u_m` and `u_n`; [`Error::TooLarge`]
     /// where the pieces take more than [`Spline::MAX_STEPS`].
     pub fn new(degree: usize, knots: Vec<Rational>, points: Vec<Vec<Rational>>) -> Result<Self, Error> {
+        Self::within(Self::MAX_STEPS, degree, knots, points)
+    }
+
+    /// The spline, if its pieces take at most so many steps.
+    pub(crate) fn within(limit: u64, degree: usize, knots: Vec<Rational>, points: Vec<Vec<Rational>>) -> Result<Self, Error> {
         let dimension = points.first().map_or(0, Vec::len);
         if points.len() <= degree || dimension == 0 || points.iter().any(|point| point.len() != dimension) {
             return Err(Error::WrongShape(format!(
@@ -78,8 +83,8 @@ impl Spline {
         if spline.intervals().next().is_none() {
             return Err(Error::WrongShape("there is no interval between the knots u_m and u_n".into()));
         }
-        if spline.steps() > Self::MAX_STEPS {
-            return Err(Error::TooLarge { what: "work for the pieces of a spline, counted in steps,", limit: Self::MAX_STEPS as usize });
+        if spline.steps() > limit {
+            return Err(Error::TooLarge { what: "work for the pieces of a spline, counted in steps,", limit: limit as usize });
         }
         Ok(spline)
     }

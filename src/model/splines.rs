@@ -14,13 +14,15 @@ pub(super) struct SplineWork {
 
 impl SplineWork {
     /// The most steps for all splines of a file.
-    const MAX_STEPS: u64 = 1 << 35;
+    const MAX_STEPS: u64 = 1 << 36;
 
-    /// The Bézier pieces of a spline.
+    /// The Bézier pieces of the spline with these knots and de Boor points.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] where the splines of the file take too much work.
-    pub(super) fn pieces(&mut self, spline: &Spline) -> Result<Vec<Segment>, Error> {
+    /// As for [`Spline::new`]; [`Error::TooLarge`] where the splines of the file
+    /// together take too much work.
+    pub(super) fn pieces(&mut self, degree: usize, knots: Vec<Rational>, points: Vec<Vec<Rational>>) -> Result<Vec<Segment>, Error> {
+        let spline = Spline::within(Self::MAX_STEPS, degree, knots, points)?;
         self.charge(spline.steps())?;
         spline.pieces()
     }

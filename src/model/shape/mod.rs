@@ -12,7 +12,6 @@ use crate::exact::Rational;
 use crate::piece::Piece;
 use crate::rectangular::RectangularPatch;
 use crate::segment::Segment;
-use crate::spline::Spline;
 use crate::triangular::TriangularPatch;
 use crate::weights::homogeneous_points;
 
@@ -91,7 +90,9 @@ struct Shape<'a> {
 /// A spline of a shape file; its points have the weight as their last coordinate if it is rational.
 struct SplineFile {
     name: Option<String>,
-    spline: Spline,
+    degree: usize,
+    knots: Vec<Rational>,
+    points: Vec<Vec<Rational>>,
     rational: bool,
 }
 
@@ -131,11 +132,11 @@ impl<'a> Shape<'a> {
         let weights = self.weights(control.len(), decimals)?;
         decimals.restore(finest);
         let degree = count(self.require("degree")?, "the degree")?;
-        let (control, rational) = match weights {
+        let (points, rational) = match weights {
             Some(weights) => (homogeneous_points(&control, &weights)?, true),
             None => (control, false),
         };
-        Ok(SplineFile { name: self.name()?, spline: Spline::new(degree, knots, control)?, rational })
+        Ok(SplineFile { name: self.name()?, degree, knots, points, rational })
     }
 
     fn weights(&self, count: usize, decimals: &mut Decimals) -> Result<Option<Vec<Rational>>, Fault> {

@@ -86,10 +86,10 @@ impl<'a> ModelReader<'a> {
         match shape.kind {
             Kind::Model => Err(Fault::new("unsupported", "a model holds pieces and splines, no other models")),
             Kind::Spline => {
-                let SplineFile { name, spline, rational } = shape.spline(&mut self.decimals)?;
+                let SplineFile { name, degree, knots, points, rational } = shape.spline(&mut self.decimals)?;
                 let name = name.as_deref().and_then(group_name);
                 let part = |segment| Part { piece: Piece::Curve(segment), rational, has_frame: true, name: name.clone(), place };
-                Ok(self.work.pieces(&spline)?.into_iter().map(part).collect())
+                Ok(self.work.pieces(degree, knots, points)?.into_iter().map(part).collect())
             }
             kind => {
                 let ShapeFile { name, piece, weights, has_frame } = shape.piece(kind, &mut self.decimals)?;

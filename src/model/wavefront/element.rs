@@ -10,7 +10,6 @@ use crate::model::splines::SplineWork;
 use crate::piece::Piece;
 use crate::rectangular::RectangularPatch;
 use crate::segment::Segment;
-use crate::spline::Spline;
 
 /// What the points and parameters of a curve or surface mean.
 #[derive(Clone, Copy, Debug)]
@@ -110,7 +109,7 @@ impl Element {
     fn line(&self, axis: usize, degree: usize, points: Vec<Vec<Rational>>, work: &mut SplineWork) -> Result<Vec<Segment>, String> {
         let parameters = &self.parameters[axis];
         let pieces = match self.basis {
-            Basis::Spline => Spline::new(degree, parameters.clone(), points).and_then(|spline| work.pieces(&spline)),
+            Basis::Spline => work.pieces(degree, parameters.clone(), points),
             _ => bezier_pieces(degree, parameters, &points),
         };
         self.within_range(axis, pieces.map_err(|error| error.to_string())?, work)
