@@ -31,9 +31,8 @@ pub(super) fn read(text: &str) -> Result<Model, Flaw> {
         nets.push((net, at));
     }
     let expected = "the number of vertices in a line of its own, behind the patches";
-    let vertices = match in_line(&mut scanner, 0, expected)? {
-        word => word.and_then(Word::whole).ok_or_else(|| scanner.unexpected(word, expected))?,
-    };
+    let word = in_line(&mut scanner, 0, expected)?;
+    let vertices = word.and_then(Word::whole).ok_or_else(|| scanner.unexpected(word, expected))?;
     let mut points = Vec::with_capacity(3 * vertices.min(scanner.left() / 6));
     for _ in 0..vertices {
         for place in 0..3 {

@@ -75,7 +75,7 @@ impl<'a> Tags<'a> {
                     if self.depth == 0 && self.has_root {
                         return Err(Flaw::expected(
                             self.place(at),
-                            &format!("<{}>", &*tag.name().as_ref()),
+                            &format!("<{}>", tag.name().as_ref()),
                             "the end of the file behind the root element",
                         ));
                     }

@@ -136,7 +136,7 @@ fn knots(degree: usize, steps: &[u8]) -> Vec<Rational> {
     for (place, step) in steps.iter().enumerate() {
         // At most two equal knots inside, and a step at both ends.
         let step = if place % 2 == 0 || place + 1 == steps.len() { i64::from(*step % 2) + 1 } else { i64::from(*step % 3) };
-        last = last + Rational::new(step, 2);
+        last += Rational::new(step, 2);
         knots.push(last.clone());
     }
     knots.extend(std::iter::repeat_n(last, degree));
