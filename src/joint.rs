@@ -213,7 +213,7 @@ pub fn affine_groups(first: &Piece, second: &Piece, joint: &Joint) -> Result<([R
     let degree = a.degree().max(b.degree());
     let over = |patch: &TriangularPatch, inner: &[Rational; 2]| -> Result<TriangularPatch, Error> {
         let frame = Triangle::new(inner.clone(), s.clone(), t.clone())?;
-        Ok(patch.elevate(degree - patch.degree()).reframe(&frame)?)
+        patch.elevate(degree - patch.degree()).reframe(&frame)
     };
     let (a, b) = (over(a, &p)?, over(b, &q)?);
     let weights = a.frame().barycentric(&q)?;

@@ -154,7 +154,7 @@ proptest! {
                 let side = [Side::St, Side::Tr, Side::Rs][[a, b, c].iter().position(|&k| k == 0).expect("one of them")];
                 (Piece::Triangle(surface.over_triangle(&frame).expect("a patch").elevate(raised)), side)
             } else {
-                let along = if order % 2 == 0 { interval(0, 1) } else { interval(1, 0) };
+                let along = if order.is_multiple_of(2) { interval(0, 1) } else { interval(1, 0) };
                 let (across, side) = if order < 3 { (interval(0, inner), Side::V0) } else { (interval(inner, 0), Side::V1) };
                 (Piece::Rectangle(surface.over_rectangle(&Rectangle::new(along, across)).expect("a patch").elevate(raised, raised)), side)
             }

@@ -20,6 +20,10 @@ use crate::tangent::{Quotient, tangent_plane_join};
 use crate::value::{Answer, Arguments, Contact, Finding, JoinFinding, RepairFinding, Value};
 use crate::weights::projected;
 
+/// The order of continuity, of rational pieces the Cartesian one, and those of
+/// their homogeneous maps: as they are, and up to a factor.
+type Orders = (Continuity, Option<(Continuity, Continuity)>);
+
 /// Two pieces that are asked about.
 struct Pair {
     first: Piece,
@@ -80,8 +84,8 @@ impl Pair {
         }
     }
 
-    /// The order of continuity with those of the homogeneous maps; none without a common parameter.
-    fn order(&self, second: &Piece) -> Result<Option<(Continuity, Option<(Continuity, Continuity)>)>, Error> {
+    /// The orders of continuity; none without a common parameter.
+    fn order(&self, second: &Piece) -> Result<Option<Orders>, Error> {
         let Meeting::Joint(joint) = &self.meeting else { return Ok(None) };
         Ok(Some(match (self.first.equation()?, second.equation()?, joint, self.rational) {
             (Equation::Curve(a), Equation::Curve(b), Joint::Parameter(at), false) => (continuity_of_curves(&a, &b, at)?, None),
