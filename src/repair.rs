@@ -50,9 +50,9 @@ impl Repair {
 
 /// The least change of the second piece after which it joins the first one with
 /// continuity of this order. It is a projection: the conditions are linear in
-/// the control points. Where both have the same degree, the control points with
-/// at most `order` arguments off the joint move to those of the first piece
-/// continued, and all others stay. With `rational` the last coordinate is the
+/// the control points. Those with at most `order` arguments off the joint are
+/// determined (where both pieces have the same degree they are those of the
+/// first one continued), and all others stay. With `rational` the last coordinate is the
 /// weight: the weights stay, the points move, and the continuity is Cartesian.
 ///
 /// ```
@@ -80,7 +80,7 @@ pub fn repair_to_order(first: &Piece, second: &Piece, joint: &Joint, order: usiz
     if rows.len() > Repair::MAX_CONDITIONS && !rows.iter().all(single) {
         return Err(Error::TooLarge { what: "number of conditions of a repair", limit: Repair::MAX_CONDITIONS });
     }
-    let Some(moves) = least_solution(rows, count) else {
+    let Some(moves) = solution(rows, count) else {
         let why = if rational { " with these weights, or at all" } else { "" };
         return Err(Error::Unsupported(format!(
             "no change of the second piece makes the join C{order}: its degree is too low{why}; `casteljau elevate` raises it"
@@ -136,6 +136,10 @@ fn rational_system(first: &Piece, second: &Piece, joint: &Joint, order: usize) -
     let unknown = unknown.product(&weight_of_first)?;
     let own = a.transform(&space)?.product(&b.transform(&weight)?)?;
     let other = b.transform(&space)?.product(&weight_of_first)?;
+    let on_joint = weight_of_first.points().zip(arguments_off(&weight_of_first, joint)?).filter(|(_, off)| *off == 0);
+    if on_joint.into_iter().all(|(weight, _)| weight[0].is_zero()) {
+        return Err(Error::Unsupported("the weight of the first piece is 0 on the joint: its points there are at infinity".into()));
+    }
     let off = arguments_off(&own, joint)?;
     let rows = unknown.points().zip(own.points().zip(other.points())).zip(off).filter(|(_, off)| *off <= order);
     Ok(rows.map(|((row, (own, other)), _)| row.iter().cloned().chain(own.iter().zip(other).map(|(x, y)| x - y)).collect()).collect())
@@ -164,31 +168,23 @@ fn reduce(rows: &mut [Vec<Rational>], columns: usize) -> Vec<usize> {
     pivots
 }
 
-/// The solution of a linear system with the least sum of squares, one vector an
-/// unknown; none if there is no solution. It is a combination `Mᵀ y` of the
-/// rows: the rest of any other solution is orthogonal to all of them.
-fn least_solution(mut rows: Vec<Vec<Rational>>, unknowns: usize) -> Option<Vec<Vec<Rational>>> {
+/// How the control points of the second piece move, one vector each; none if no
+/// move will do.
+///
+/// The conditions are about the control points with at most `order` arguments
+/// off the joint, and determine them: where a polynomial of the degree of the
+/// piece has the wanted values and derivatives there, only one does. So the
+/// other points stay, and the solution is the one with the least sum of squares.
+fn solution(mut rows: Vec<Vec<Rational>>, unknowns: usize) -> Option<Vec<Vec<Rational>>> {
     let width = rows.first().map_or(unknowns, Vec::len);
-    let rank = reduce(&mut rows, unknowns).len();
-    if rows[rank..].iter().any(|row| row.iter().any(|x| !x.is_zero())) {
+    let pivots = reduce(&mut rows, unknowns);
+    if rows[pivots.len()..].iter().any(|row| row.iter().any(|x| !x.is_zero())) {
         return None;
     }
-    rows.truncate(rank);
-    let product = |a: &[Rational], b: &[Rational]| {
-        let terms = a.iter().zip(b).take(unknowns).filter(|(x, y)| !x.is_zero() && !y.is_zero());
-        terms.map(|(x, y)| x * y).sum::<Rational>()
-    };
-    // The normal equations M Mᵀ y = d.
-    let normal = |row: &Vec<Rational>| {
-        rows.iter().map(|other| product(row, other)).chain(row[unknowns..].iter().cloned()).collect::<Vec<Rational>>()
-    };
-    let mut equations: Vec<Vec<Rational>> = rows.iter().map(normal).collect();
-    reduce(&mut equations, rank);
     let mut solution = vec![vec![Rational::from(0); width - unknowns]; unknowns];
-    for (row, equation) in rows.iter().zip(&equations) {
-        for (vector, factor) in solution.iter_mut().zip(row).filter(|(_, factor)| !factor.is_zero()) {
-            vector.iter_mut().zip(&equation[rank..]).for_each(|(x, y)| *x += factor * y);
-        }
+    for (&place, row) in pivots.iter().zip(&rows) {
+        debug_assert!(row[..unknowns].iter().filter(|x| !x.is_zero()).count() == 1, "a control point that is not determined");
+        solution[place] = row[unknowns..].to_vec();
     }
     Some(solution)
 }

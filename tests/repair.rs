@@ -1,9 +1,9 @@
 //! Repairs of joins: what they reach, that they are projections, and what they refuse.
 
 use casteljau::{
-    Arrangement, Continuity, Curve, Equation, Error, Interval, Joint, Piece, Rational, Rectangle, RectangularPatch, Repair, Segment, Side,
-    Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_surfaces, geometric_join_of_ends,
-    homogeneous_points, projected, repair_tangents, repair_to_order, tangent_plane_join,
+    Arrangement, Continuity, Curve, Equation, Error, Interval, Joint, Piece, Rational, Reading, Rectangle, RectangularPatch, Repair,
+    Segment, Side, Surface, Triangle, TriangularPatch, continuity_of_curves, continuity_of_rational_curves, continuity_of_surfaces,
+    geometric_join_of_ends, homogeneous_points, projected, repair_tangents, repair_to_order, tangent_plane_join,
 };
 use proptest::prelude::*;
 
@@ -159,6 +159,34 @@ proptest! {
             prop_assert_eq!((found.numerator, found.denominator), (shear, vec![Rational::from(1)]));
         }
         prop_assert!(ask(&repair.piece).expect("it is good").moved.is_empty());
+    }
+}
+
+/// A join with constant `λ` and `μ`, both of them needed, is good already.
+#[test]
+fn shears_of_triangles_are_allowed_for() {
+    let q = Rational::from;
+    // The graph of u^2 + u v + v^3 over two triangles that are no parallelogram, and over a rectangle.
+    let height = vec![(2, 0, q(1)), (1, 1, q(1)), (0, 3, q(1))];
+    let surface = Surface::new(Reading::Total(3), vec![vec![(1, 0, q(1))], vec![(0, 1, q(1))], height]).expect("a surface");
+    let triangle = |inner| {
+        let frame = Triangle::new(inner, at(0, 0), at(1, 0)).expect("a frame");
+        Piece::Triangle(surface.over_triangle(&frame).expect("a patch"))
+    };
+    let above = triangle(at(1, 2));
+    let below = Piece::Rectangle(surface.over_rectangle(&Rectangle::new(unit(0, 1), unit(0, -1))).expect("a patch"));
+    let Piece::Triangle(raised) = triangle(at(3, 2)) else { unreachable!() };
+    for (first, own, second, other) in [
+        (triangle(at(0, -1)), Side::St, above.clone(), Side::St),
+        (above, Side::St, below.clone(), Side::V0),
+        (below, Side::V0, Piece::Triangle(raised.elevate(1)), Side::St),
+    ] {
+        let repair = repair_tangents((&first, own), (&second, other), false).expect("it is good");
+        assert!(repair.moved.is_empty() && repair.piece == second);
+        let (ratio, shear) = repair.ratio.expect("a ratio");
+        let join = tangent_plane_join((&first, own), (&second, other), false).expect("in space");
+        assert_eq!(join.ratio.and_then(|ratio| ratio.constant()), Some(ratio));
+        assert!(shear.iter().any(|x| *x != q(0)));
     }
 }
 

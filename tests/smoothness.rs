@@ -135,6 +135,22 @@ proptest! {
     }
 }
 
+/// A difference that is a multiple of 2^64 is none in one word: the bound must ask for two.
+#[test]
+fn sums_that_would_wrap_to_zero_are_seen() {
+    let q = Rational::from;
+    let short = Rational::new(1, 1 << 32);
+    let curve = |from: Rational, to: Rational| {
+        Piece::Curve(Segment::new(1, vec![q(0), q(0)], Interval::new(from, to).expect("a frame")).expect("a segment"))
+    };
+    let (first, second) = (curve(q(0), q(1)), curve(q(1), q(1) + short));
+    let test = SmoothnessTest::new(&first, &second, &Joint::Parameter(q(1)), 1).expect("they join");
+    // 2^32 b1 = (2^32 + 1) a1 - a0
+    assert_eq!(test.order(&[-(1 << 32), 0], &[0, 1]), Ok(Some(1)));
+    assert_eq!(test.order(&[-(1 << 32), 0], &[0, 1 + (1 << 32)]), Ok(Some(0)));
+    assert_eq!(test.order(&[0, 0], &[0, 1 << 32]), Ok(Some(0)));
+}
+
 #[test]
 fn what_does_not_fit_is_refused() {
     let q = Rational::from;
