@@ -30,17 +30,14 @@ fn main() -> io::Result<()> {
     for patch in 0..count {
         let (i, j) = (patch / side, patch % side);
         writeln!(out, "5\n3 3")?;
-        let mut points = [[[0; 3]; 4]; 4];
-        for axis in 0..3 {
+        let coordinates = [0, 1, 2].map(|axis| {
             let rows: [[i64; 4]; 4] = [0, 1, 2, 3].map(|k| bezier([0, 1, 2, 3].map(|l| control(i + k, j + l)[axis])));
-            for l in 0..4 {
-                let column = bezier([0, 1, 2, 3].map(|k: usize| rows[k][l]));
-                for k in 0..4 {
-                    points[k][l][axis] = (column[k] + 18).div_euclid(36);
-                }
-            }
-        }
-        for point in points.iter().flatten() {
+            let columns: [[i64; 4]; 4] = [0, 1, 2, 3].map(|l: usize| bezier(rows.map(|row| row[l])));
+            // Rounded to the last digit that is printed.
+            columns.map(|column| column.map(|number| (number + 18).div_euclid(36)))
+        });
+        let points = (0..4).flat_map(|k| (0..4).map(move |l| coordinates.map(|columns| columns[l][k])));
+        for point in points {
             let [x, y, z] = point.map(|number| {
                 let sign = if number < 0 { "-" } else { "" };
                 format!("{sign}{}.{:06}", number.abs() / 1_000_000, number.abs() % 1_000_000)

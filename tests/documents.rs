@@ -61,6 +61,15 @@ fn replayed(document: &str, folder: &Path) -> (String, usize) {
 #[test]
 fn every_command_of_the_readme_prints_what_it_shows() {
     let folder = scratch("readme");
+    // The README's reader stands in the project's folder.
+    let examples = folder.join("examples");
+    std::fs::create_dir_all(&examples).expect("a folder for the test");
+    for entry in std::fs::read_dir(root().join("examples")).expect("the examples") {
+        let path = entry.expect("an entry").path();
+        if path.is_file() {
+            std::fs::copy(&path, examples.join(path.file_name().expect("a name"))).expect("a copy");
+        }
+    }
     let document = std::fs::read_to_string(root().join("README.md")).expect("the README");
     let (text, commands) = replayed(&document, &folder);
     assert!(commands >= 12, "only {commands} commands");

@@ -8,6 +8,7 @@ mod settings;
 use std::io::{self, IsTerminal, Read as _, Write};
 use std::path::Path;
 use std::str::FromStr;
+use std::time::Duration;
 
 use clap::ArgMatches;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -121,10 +122,16 @@ fn demands(matches: &ArgMatches) -> Result<Demands, Problem> {
     })
 }
 
-/// A bar on a terminal, where there is long work.
+/// A bar on a terminal, or for a single file, of which it is not known how long
+/// it takes, something that moves.
 fn progress(files: usize, quiet: bool) -> ProgressBar {
-    if quiet || files < 2 || !io::stderr().is_terminal() {
+    if quiet || !io::stderr().is_terminal() {
         return ProgressBar::hidden();
+    }
+    if files < 2 {
+        let spinner = ProgressBar::new_spinner();
+        spinner.enable_steady_tick(Duration::from_millis(120));
+        return spinner;
     }
     let bar = ProgressBar::new(files as u64);
     if let Ok(style) = ProgressStyle::with_template("{wide_bar} {pos}/{len} files, {eta}") {
