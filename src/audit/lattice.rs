@@ -2,10 +2,9 @@
 //! that joins are judged without fractions.
 
 use num_bigint::{BigInt, BigUint};
-use num_integer::Integer as _;
 
-use crate::error::Error;
 use crate::exact::Rational;
+use crate::exact::gcd::gcd_big;
 use crate::exact::width::Ring;
 use crate::model::Part;
 use crate::side::{Arrangement, Side};
@@ -56,6 +55,8 @@ pub(super) struct Lattice {
     pub(super) scale: BigUint,
     numbers: Numbers,
     parts: Vec<Placed>,
+    /// The indices of the parts, if these are two of many.
+    pair: Option<[usize; 2]>,
 }
 
 #[derive(Debug)]
@@ -151,35 +152,45 @@ pub(super) trait Visitor {
 }
 
 impl Lattice {
-    /// The most bits that all numbers may take together.
-    const MAX_BITS: u64 = 1 << 32;
+    /// The most bits of a denominator that all parts of a model share. Where they
+    /// would need more, every join has a lattice of its own.
+    const MAX_COMMON_BITS: u64 = 512;
 
-    /// The lattice of parts. The degree of the largest is part of the bound that
-    /// decides which integers are wide enough for everything that is asked.
-    pub(super) fn of(parts: &[Part]) -> Result<Self, Error> {
+    /// The lattice of all parts of a model; none if their common denominator is long.
+    pub(super) fn of_all(parts: &[Part]) -> Option<Self> {
+        Self::of(parts.iter(), Self::MAX_COMMON_BITS)
+    }
+
+    /// The lattice of two parts.
+    pub(super) fn of_two(parts: &[Part], [first, second]: [usize; 2]) -> Self {
+        let own = [first, second].map(|index| &parts[index]);
+        // Without a limit there always is one.
+        let mut lattice = Self::of(own.into_iter(), u64::MAX).unwrap_or_else(|| unreachable!("there is no limit"));
+        lattice.pair = Some([first, second]);
+        lattice
+    }
+
+    fn of<'a>(parts: impl Iterator<Item = &'a Part> + Clone, most_bits: u64) -> Option<Self> {
         let mut scale = BigUint::from(1u32);
         let mut small = 1u64;
-        let count: usize = parts.iter().map(|part| part.piece.coordinates().len()).sum();
-        let most = Self::MAX_BITS / count.max(1) as u64;
-        for number in parts.iter().flat_map(|part| part.piece.coordinates()) {
+        for number in parts.clone().flat_map(|part| part.piece.coordinates()) {
             match number.as_small() {
                 Some((_, denom)) if small.is_multiple_of(denom) => {}
                 _ => {
-                    scale = scale.lcm(number.denom().magnitude());
-                    if scale.bits() > most {
-                        return Err(Error::TooLarge {
-                            what: "common denominator of all coordinates, in bits,",
-                            limit: usize::try_from(most).unwrap_or(usize::MAX),
-                        });
+                    let denom = number.denom();
+                    // The common divisor is that of the shorter number and a remainder.
+                    scale *= denom.magnitude() / gcd_big(&scale, denom.magnitude());
+                    if scale.bits() > most_bits {
+                        return None;
                     }
                     // While it fits a word, most numbers are seen to divide it at once.
                     small = u64::try_from(&scale).unwrap_or(small);
                 }
             }
         }
-        let mut placed = Vec::with_capacity(parts.len());
+        let mut placed = Vec::new();
         let (mut start, mut degree, mut rational) = (0, 0, false);
-        for part in parts {
+        for part in parts.clone() {
             let arrangement = Arrangement::of(&part.piece);
             placed.push(Placed { arrangement, dimension: part.piece.dimension(), start });
             start += part.piece.coordinates().len();
@@ -189,26 +200,33 @@ impl Lattice {
                 .fold(degree, |degree, &side| degree.max(arrangement.degree_along(side)).max(arrangement.degree_across(side)));
             rational |= part.rational;
         }
-        let numbers = Self::narrow(parts, &scale, count, degree, rational).map_or_else(
+        let coordinates = || parts.clone().flat_map(|part| part.piece.coordinates());
+        let numbers = Self::narrow(coordinates(), &scale, start, degree, rational).map_or_else(
             || {
                 let whole = |number: &Rational| number.numer() * BigInt::from(&scale / number.denom().magnitude());
-                Numbers::Wide(parts.iter().flat_map(|part| part.piece.coordinates()).map(whole).collect())
+                Numbers::Wide(coordinates().map(whole).collect())
             },
             Numbers::Narrow,
         );
-        Ok(Self { scale, numbers, parts: placed })
+        Some(Self { scale, numbers, parts: placed, pair: None })
     }
 
     /// The numbers in a word each, if everything computed from them fits two:
     /// the determinant of three fields along an edge is a sum of products of
     /// three coordinates (of six in homogeneous coordinates), times binomial numbers.
-    fn narrow(parts: &[Part], scale: &BigUint, count: usize, degree: usize, rational: bool) -> Option<Vec<i64>> {
+    fn narrow<'a>(
+        coordinates: impl Iterator<Item = &'a Rational>,
+        scale: &BigUint,
+        count: usize,
+        degree: usize,
+        rational: bool,
+    ) -> Option<Vec<i64>> {
         let scale = u64::try_from(scale).ok()?;
         let factors = if rational { 6 } else { 3 };
         let spare = 126usize.checked_sub(10 + 2 * factors * (degree + 1))?;
         let bits = u32::try_from(spare / factors).unwrap_or(0).min(62);
         let mut numbers = Vec::with_capacity(count);
-        for number in parts.iter().flat_map(|part| part.piece.coordinates()) {
+        for number in coordinates {
             let (numer, denom) = number.as_small()?;
             let whole = i64::try_from(i128::from(numer) * i128::from(scale / denom)).ok()?;
             if 64 - whole.unsigned_abs().leading_zeros() > bits {
@@ -229,6 +247,7 @@ impl Lattice {
 
     /// A side of a part.
     pub(super) fn view<'a, P: Points + ?Sized>(&self, points: &'a P, part: usize, side: Side, reversed: bool) -> View<'a, P> {
-        View { points, placed: self.parts[part], side, reversed }
+        let index = self.pair.map_or(part, |pair| usize::from(pair[0] != part));
+        View { points, placed: self.parts[index], side, reversed }
     }
 }

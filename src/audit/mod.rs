@@ -43,34 +43,47 @@ pub struct Audit {
     pub branches: usize,
 }
 
-/// The highest degree of pieces whose joins are checked.
+/// The highest degree of curves whose joins are checked.
 pub const MAX_DEGREE: usize = 128;
+/// The highest degree of patches, in one parameter, whose joins are checked.
+pub const MAX_PATCH_DEGREE: usize = 40;
 
 /// Finds the joins of a model and judges them, on all threads of the current
 /// pool; the answer does not depend on their number.
 ///
 /// # Errors
-/// [`Error::TooLarge`] for degrees above [`MAX_DEGREE`] or a common denominator
-/// that would not fit the memory; [`Error::Unsupported`] if what is required is
+/// [`Error::TooLarge`] for degrees above [`MAX_DEGREE`] or [`MAX_PATCH_DEGREE`];
+/// [`Error::Unsupported`] if what is required is
 /// not defined: G2 of patches, C1 or C2 of triangles without a common domain.
 pub fn audit(model: &Model, terms: &Terms, snap: Option<&Rational>) -> Result<Audit, Error> {
     for part in &model.parts {
-        let degree = match &part.piece {
-            Piece::Curve(segment) => segment.degree(),
-            Piece::Triangle(patch) => patch.degree(),
-            Piece::Rectangle(patch) => patch.degree().0.max(patch.degree().1),
+        let (degree, limit, what) = match &part.piece {
+            Piece::Curve(segment) => (segment.degree(), MAX_DEGREE, "degree of a curve whose joins are checked"),
+            Piece::Triangle(patch) => (patch.degree(), MAX_PATCH_DEGREE, "degree of a patch whose joins are checked"),
+            Piece::Rectangle(patch) => {
+                (patch.degree().0.max(patch.degree().1), MAX_PATCH_DEGREE, "degree of a patch whose joins are checked")
+            }
         };
-        if degree > MAX_DEGREE {
-            return Err(Error::TooLarge { what: "degree of a piece whose joins are checked", limit: MAX_DEGREE });
+        if degree > limit {
+            return Err(Error::TooLarge { what, limit });
         }
     }
     let mates = Mates::of(model, snap);
     for mate in &mates.pairs {
         refuse_undefined(model, mate, terms)?;
     }
-    let lattice = Lattice::of(&model.parts)?;
-    let half = join::half_unit(model.decimals, &lattice.scale);
-    let judged = |mate| lattice.visit(&Judge { model, lattice: &lattice, half: &half, terms, mate });
+    let with_half = |lattice: Lattice| {
+        let half = join::half_unit(model.decimals, &lattice.scale);
+        (lattice, half)
+    };
+    let common = Lattice::of_all(&model.parts).map(with_half);
+    let judged = |mate: &mates::Mate| {
+        let on = |(lattice, half): &(Lattice, Rational)| lattice.visit(&Judge { model, lattice, half, terms, mate });
+        match &common {
+            Some(common) => on(common),
+            None => on(&with_half(Lattice::of_two(&model.parts, [mate.first.0, mate.second.0]))),
+        }
+    };
     let joins = mates.pairs.par_iter().map(judged).collect();
     Ok(Audit { joins, open: mates.open, collapsed: mates.collapsed, branches: mates.branches })
 }

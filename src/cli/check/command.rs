@@ -2,7 +2,7 @@
 
 use clap::{Arg, ArgAction, Command, value_parser};
 
-use crate::audit::MAX_DEGREE;
+use crate::audit::{MAX_DEGREE, MAX_PATCH_DEGREE};
 use crate::model::Format;
 
 /// The command.
@@ -18,7 +18,7 @@ pub(in crate::cli) fn command() -> Command {
              Formats, by ending or content: {} (see docs/check.md). A font node that is flagged smooth is held to G1;\n\
              without --require other joins are reported and fail nothing. Settings are read from casteljau.toml.\n\n\
              Exit status: 0 all hold, 1 one does not, 2 a file cannot be used or there was nothing to check.\n\
-             Limit: degree {MAX_DEGREE}, 1 GiB a file.",
+             Limits: degree {MAX_DEGREE}, of patches {MAX_PATCH_DEGREE}; 1 GiB a file.",
             Format::ALL.map(Format::name).join(", ")
         ))
         .arg(Arg::new("paths").value_name("PATH").num_args(1..).required(true).help("Files and folders; `-` for standard input"))

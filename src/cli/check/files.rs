@@ -1,5 +1,6 @@
 //! The files that a check looks at.
 
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
@@ -67,11 +68,17 @@ pub(super) fn collect(paths: &[String], excluded: impl Fn(&Path) -> bool) -> Res
 
 /// The text of a file.
 pub(super) fn text(path: &Path) -> Result<String, String> {
-    let size = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
-    if size > MAX_BYTES {
-        return Err(format!("the file has {size} bytes; at most {MAX_BYTES} are read"));
+    read(std::fs::File::open(path).map_err(|error| error.to_string())?)
+}
+
+/// The text that a reader gives, as far as it is not too long: what has no size
+/// beforehand may never end.
+pub(super) fn read(reader: impl Read) -> Result<String, String> {
+    let mut bytes = Vec::new();
+    reader.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(format!("the file is too long; at most {MAX_BYTES} bytes are read"));
     }
-    let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
     String::from_utf8(bytes)
         .map_err(|error| format!("not valid UTF-8: byte {} does not belong to any character", error.utf8_error().valid_up_to()))
 }

@@ -5,7 +5,7 @@ mod command;
 mod files;
 mod settings;
 
-use std::io::{self, IsTerminal, Read as _, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::str::FromStr;
 use std::time::Duration;
@@ -64,8 +64,7 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
         .collect();
     bar.finish_and_clear();
     if from_input {
-        let mut text = String::new();
-        io::stdin().lock().read_to_string(&mut text).map_err(|error| Problem::plain(format!("cannot read standard input: {error}")))?;
+        let text = files::read(io::stdin().lock()).map_err(|error| Problem::plain(format!("cannot read standard input: {error}")))?;
         examined.insert(0, judged("standard input".into(), text, format, &settings.of(Path::new("-"), &above)));
     }
     if let Some(known) = known {
