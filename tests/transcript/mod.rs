@@ -75,13 +75,16 @@ pub(crate) fn replayed(transcript: &str, directory: &Path) -> (String, usize) {
         }
         commands += 1;
         replayed.push_str(&printed(&command, directory));
-        // What was recorded goes until a blank line that a command or comment follows.
+        // What was recorded goes until the next command or comment; the blank lines before it stay.
+        let mut blanks = 0;
         while let Some(&next) = lines.peek() {
-            if next.starts_with("$ ") || next.starts_with("# ") || next.is_empty() {
+            if next.starts_with("$ ") || next.starts_with("# ") {
                 break;
             }
+            blanks = if next.is_empty() { blanks + 1 } else { 0 };
             lines.next();
         }
+        replayed.push_str(&"\n".repeat(blanks));
     }
     (replayed, commands)
 }
