@@ -148,6 +148,12 @@ impl Strip {
 }
 
 impl Side {
+    /// Whether it is an end of a curve and no edge of a patch.
+    #[must_use]
+    pub const fn is_end(self) -> bool {
+        matches!(self, Self::End | Self::Start)
+    }
+
     /// The end or edge of a piece with a name.
     ///
     /// # Errors

@@ -52,7 +52,7 @@ pub(super) fn key(part: &Part, side: Side) -> Option<Key> {
         return None;
     }
     let (from, to, _) = edge(part, side);
-    let is_curve = matches!(side, Side::End | Side::Start);
+    let is_curve = side.is_end();
     let dimension = part.piece.dimension() - usize::from(part.rational);
     Some(if from <= to { (is_curve, dimension, from, to) } else { (is_curve, dimension, to, from) })
 }
@@ -65,7 +65,7 @@ pub(super) fn is_shared(parts: &[Part], first: Place, second: Place, reversed: b
         return false;
     }
     let ((from, to, off_a), (start, end, off_b)) = (edge(a, first.1), edge(b, second.1));
-    let is_curve = matches!(first.1, Side::End | Side::Start);
+    let is_curve = first.1.is_end();
     if is_curve {
         let t = &from[0];
         return start == from && ((&off_a[0] - t) * (&off_b[0] - t)).is_negative();

@@ -2,9 +2,11 @@
 //! that is what was required.
 
 mod angle;
+mod corners;
 mod domain;
 mod field;
 mod join;
+mod judge;
 mod lattice;
 mod mates;
 mod offset;
@@ -14,10 +16,11 @@ mod requirement;
 mod sign;
 mod tangent;
 mod tolerance;
+mod verdict;
 
 use rayon::prelude::*;
 
-use self::join::Judge;
+use self::judge::Judge;
 use self::lattice::Lattice;
 use self::mates::Mates;
 use crate::error::Error;
@@ -25,10 +28,11 @@ use crate::exact::Rational;
 use crate::model::Model;
 use crate::piece::Piece;
 
-pub use join::{Join, Rounding, Terms, Verdict};
+pub use join::{Join, Terms};
 pub use requirement::Requirement;
 pub use tangent::Contact;
 pub use tolerance::Tolerance;
+pub use verdict::{Rounding, Verdict};
 
 /// What was found of the joins of a model.
 #[derive(Clone, Debug)]
@@ -73,7 +77,7 @@ pub fn audit(model: &Model, terms: &Terms, snap: Option<&Rational>) -> Result<Au
         refuse_undefined(model, mate, terms)?;
     }
     let with_half = |lattice: Lattice| {
-        let half = join::half_unit(model.decimals, &lattice.scale);
+        let half = judge::half_unit(model.decimals, &lattice.scale);
         (lattice, half)
     };
     let common = Lattice::of_all(&model.parts).map(with_half);

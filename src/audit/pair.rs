@@ -16,7 +16,7 @@ use crate::model::Part;
 use crate::piece::{Equation, Piece};
 use crate::rectangular::RectangularPatch;
 use crate::segment::Segment;
-use crate::side::{Arrangement, Side};
+use crate::side::Arrangement;
 
 /// Two sides that meet.
 pub(super) struct Pair<'a> {
@@ -90,12 +90,12 @@ impl Pair<'_> {
                 })
             };
             let (from, to, _) = domain::edge(self.part(first), first.1);
-            let joint = if is_end(first.1) { Joint::Parameter(from[0].clone()) } else { Joint::Edge([from, to]) };
+            let joint = if first.1.is_end() { Joint::Parameter(from[0].clone()) } else { Joint::Edge([from, to]) };
             return Ok((own(first)?, own(second)?, joint));
         }
         let (zero, one, two) = (Rational::from(0), Rational::from(1), Rational::from(2));
         let (before, behind) = (Interval::new(one.clone(), zero.clone())?, Interval::new(one.clone(), two)?);
-        let (a, b) = (self.layers(first, false), self.layers(second, reversed && !is_end(first.1)));
+        let (a, b) = (self.layers(first, false), self.layers(second, reversed && !first.1.is_end()));
         match (&self.part(first).piece, &self.part(second).piece) {
             (Piece::Curve(_), Piece::Curve(_)) => {
                 let segment = |layers: Vec<Vec<Vec<Rational>>>, frame| Segment::from_points(layers.into_iter().flatten().collect(), frame);
@@ -137,7 +137,7 @@ impl Pair<'_> {
     /// Whether the two sides are the same curve.
     fn boundaries_agree(&self) -> bool {
         let Mate { first, second, reversed, .. } = *self.mate;
-        let (a, b) = (self.layers(first, false).swap_remove(0), self.layers(second, reversed && !is_end(first.1)).swap_remove(0));
+        let (a, b) = (self.layers(first, false).swap_remove(0), self.layers(second, reversed && !first.1.is_end()).swap_remove(0));
         let segment = |points| Segment::from_points(points, Interval::unit()).and_then(|segment| segment.curve());
         let (Ok(a), Ok(b)) = (segment(a), segment(b)) else { return false };
         match self.weight_ratio() {
@@ -164,7 +164,7 @@ impl Pair<'_> {
             let column = if reversed { arrangement.columns(place.1, 0) - 1 } else { 0 };
             lifted(part, part.piece.net().point(arrangement.index(place.1, 0, column)), true).pop()
         };
-        let (a, b) = (weight(first, false)?, weight(second, reversed && !is_end(first.1))?);
+        let (a, b) = (weight(first, false)?, weight(second, reversed && !first.1.is_end())?);
         b.checked_div(&a).filter(|ratio| !ratio.is_zero())
     }
 
@@ -216,8 +216,4 @@ impl Pair<'_> {
         let moves = extension.continuation.points().zip(b.points()).zip(&extension.forced).filter(|(_, forced)| **forced);
         moves.map(|((x, y), _)| x.iter().zip(y).map(|(x, y)| (x - y).pow(2)).sum::<Rational>()).max()
     }
-}
-
-fn is_end(side: Side) -> bool {
-    matches!(side, Side::End | Side::Start)
 }

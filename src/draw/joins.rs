@@ -112,10 +112,6 @@ struct Panel {
     dots: Vec<Dot>,
 }
 
-fn is_end(side: Side) -> bool {
-    matches!(side, Side::End | Side::Start)
-}
-
 impl Panel {
     fn of(file: &File, examined: &Examined) -> Self {
         let downward = examined.model.format == Format::Svg;
@@ -141,7 +137,7 @@ impl Panel {
         for join in joins {
             let part = &examined.model.parts[join.first.0];
             let arrangement = Arrangement::of(&part.piece);
-            if is_end(join.first.1) {
+            if join.first.1.is_end() {
                 let at = flat(part.piece.net().point(arrangement.index(join.first.1, 0, 0)), part.rational, downward);
                 let handle = |(index, side): (usize, Side)| {
                     let part = &examined.model.parts[index];

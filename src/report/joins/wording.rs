@@ -53,7 +53,7 @@ fn decimal(number: &Rational) -> String {
 
 /// What was found, in a sentence.
 pub(super) fn finding(join: &Join) -> String {
-    let curves = matches!(join.first.1, crate::side::Side::End | crate::side::Side::Start);
+    let curves = join.first.1.is_end();
     let (these, tangents) = if curves { ("the curves", "tangents") } else { ("the patches", "tangent planes") };
     match (join.verdict, join.parametric, join.contact) {
         (Verdict::Exact, ..) => "as required".into(),
@@ -93,7 +93,7 @@ pub(super) fn remedy(join: &Join) -> Option<String> {
     if join.verdict != Verdict::Violated || join.contact != Contact::Kink {
         return None;
     }
-    let curves = matches!(join.first.1, crate::side::Side::End | crate::side::Side::Start);
+    let curves = join.first.1.is_end();
     let mut parts = Vec::new();
     if let ([joint], [[a], [b]]) = (join.points.as_slice(), join.handles.each_ref().map(Vec::as_slice)) {
         let tip = |handle: &[Rational]| point(&joint.iter().zip(handle).map(|(x, y)| x + y).collect::<Vec<_>>());
