@@ -37,7 +37,7 @@
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
 //! | [`value`], `model` | what operations take and give; shapes in files |
 //! | `cubic`, `implicit`, `quadric` | questions asked of shapes: classes and special points, equations |
-//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `meeting`, `repair`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
+//! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `meeting`, `quotient`, `repair`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
 //! | [`syntax`] | the grammar and its printers |
@@ -80,6 +80,7 @@ pub mod model;
 pub mod ops;
 mod piece;
 mod quadric;
+mod quotient;
 mod reading;
 mod rectangular;
 mod repair;
@@ -128,6 +129,7 @@ pub use meeting::Meeting;
 pub use mesh::Mesh;
 pub use piece::{Equation, Piece};
 pub use quadric::{QUADRIC_MONOMIALS, QuadricClass, QuadricSurface};
+pub use quotient::Quotient;
 pub use reading::{PolarTerm, Reading};
 pub use rectangular::{Axis, Quartering, RectangularPatch, RectangularReduction, bidegree_label};
 pub use repair::{Repair, repair_tangents, repair_to_order};
@@ -140,7 +142,7 @@ pub use spline::{KnotJoin, Spline};
 pub use surface::{Surface, Term};
 pub use symbolic::{Monomial, Polynomial, Symbol};
 pub use symmetry::Symmetry;
-pub use tangent::{Quotient, TangentPlaneJoin, Vanishing, tangent_plane_join};
+pub use tangent::{TangentPlaneJoin, Vanishing, tangent_plane_join};
 pub use tetrahedron::TriangularScheme;
 pub use triangular::{Quadrisection, TriangularPatch, TriangularReduction, Trisection, triangular_degree};
 pub use weights::{homogeneous_points, projected};

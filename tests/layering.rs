@@ -40,6 +40,7 @@ const LAYERS: &[&[&str]] = &[
         "tangent",
         "repair",
         "meeting",
+        "quotient",
         "algebraic",
     ],
     &["cubic", "implicit", "quadric"],

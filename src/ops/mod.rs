@@ -6,12 +6,14 @@
 
 mod cubic;
 mod curve;
+mod extension;
 mod geometry;
 mod implicit;
 mod join;
 mod joint;
 pub(crate) mod limits;
 mod numbers;
+mod pair;
 mod picture;
 mod piece;
 mod rational;

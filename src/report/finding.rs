@@ -2,7 +2,7 @@
 
 use super::entry::Entry;
 use super::formula::Notation;
-use super::{cubic, implicit, join};
+use super::{cubic, implicit, join, spline};
 use crate::value::Finding;
 
 fn entries(finding: &Finding, notation: &Notation) -> Vec<Entry> {
@@ -12,8 +12,8 @@ fn entries(finding: &Finding, notation: &Notation) -> Vec<Entry> {
         Finding::Implicit(found) => implicit::curve(found, notation),
         Finding::Quadric(found) => implicit::quadric(found, notation),
         Finding::Join(found) => join::join(found, notation),
-        Finding::Extension(found) => join::extension(found, notation),
-        Finding::Spline(found) => join::spline(found, notation),
+        Finding::Extension(found) => spline::extension(found, notation),
+        Finding::Spline(found) => spline::spline(found, notation),
     }
 }
 

@@ -23,6 +23,7 @@ mod notice;
 #[cfg(feature = "cli")]
 pub mod sarif;
 mod sheet;
+mod spline;
 #[cfg(feature = "cli")]
 pub mod stream;
 mod surd;

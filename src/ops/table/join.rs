@@ -2,7 +2,7 @@
 
 use super::parameters::*;
 use super::{Growth, Kind, Operation, Parameter, Run};
-use crate::ops::{join, joint};
+use crate::ops::{extension, join, joint};
 use crate::value::Domain;
 
 const CURVES: &[Domain] = &[Domain::Curve];
@@ -118,7 +118,7 @@ pub(super) const OPERATIONS: &[Operation] = &[
             required("order", Kind::Count, "order", "the order of continuity"),
         ],
         growth: Growth::Linear,
-        run: Run::Numeric(joint::extension),
+        run: Run::Numeric(extension::extension),
     },
     Operation {
         name: "bspline.pieces",
