@@ -32,6 +32,7 @@
 //! | layer | what it holds |
 //! |---|---|
 //! | `main`, `cli`, `batch` | adaptors: arguments, files, exit status; requests a line |
+//! | `worksheet` | hand calculations that check themselves |
 //! | [`ops`] | one table of operations, whoever asks |
 //! | [`report`], [`draw`] | text, LaTeX, JSON, Mathematica, SARIF, JUnit; pictures |
 //! | `audit` | all joins of a file: mates, orders, deviations, verdicts |
@@ -100,6 +101,8 @@ mod tetrahedron;
 mod triangular;
 pub mod value;
 mod weights;
+#[cfg(feature = "cli")]
+pub mod worksheet;
 
 pub use affine::{AffineMap, Frame, Interval, Parameter, Place, PlaneParameter, Rectangle, Triangle};
 pub use algebraic::{AlgebraicNumber, IsolatedRoot};

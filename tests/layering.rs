@@ -48,6 +48,7 @@ const LAYERS: &[&[&str]] = &[
     &["audit"],
     &["report", "draw"],
     &["ops"],
+    &["worksheet"],
     &["cli", "batch"],
     &["main", "lib"],
 ];

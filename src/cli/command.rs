@@ -54,6 +54,7 @@ pub(super) fn program() -> Command {
     program
         .subcommand(super::check::command())
         .subcommand(super::explain::command())
+        .subcommand(super::verify::command())
         .subcommand(
             Command::new("batch")
                 .about("Answer requests on standard input, one JSON object a line")

@@ -7,7 +7,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 use crate::error::Error;
 use crate::model::Fault;
-use crate::syntax::SyntaxError;
+use crate::syntax::{Span, SyntaxError};
 
 /// Why a command could not be carried out.
 pub(super) enum Problem {
@@ -17,6 +17,52 @@ pub(super) enum Problem {
     Plain { message: String, help: Option<String> },
     /// Nobody reads the output any more.
     ClosedPipe,
+}
+
+/// A line below a source line.
+pub(super) struct Note {
+    text: String,
+    is_help: bool,
+}
+
+impl Note {
+    pub(super) fn plain(text: impl Into<String>) -> Self {
+        Self { text: text.into(), is_help: false }
+    }
+
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
+    pub(super) fn help(text: impl Into<String>) -> Self {
+        Self { text: text.into(), is_help: true }
+    }
+}
+
+/// A message with the source line it is about, notes below it, and a remedy.
+pub(super) fn rendered(
+    level: Level<'static>,
+    title: &str,
+    (path, text, span): (&str, &str, Span),
+    notes: &[Note],
+    help: Option<&str>,
+    styled: bool,
+) -> String {
+    let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
+    let window = Window::around(text, span.start, span.end);
+    let (line, _) = span.position(text);
+    let snippet = Snippet::source(window.text.as_str())
+        .line_start(line)
+        .path(path)
+        .annotation(AnnotationKind::Primary.span(window.start..window.end));
+    let mut group = level.primary_title(title).element(snippet);
+    for note in notes {
+        let level = if note.is_help { Level::HELP } else { Level::NOTE.no_name() };
+        group = group.element(level.message(note.text.as_str()));
+    }
+    let mut groups = vec![group];
+    groups.extend(help.map(|help| Group::with_title(Level::HELP.secondary_title(help))));
+    renderer.render(&groups).to_string()
 }
 
 impl Problem {

@@ -10,7 +10,7 @@ use crate::report::{Rule, joins};
 
 /// All rules there are.
 fn rules() -> impl Iterator<Item = &'static Rule> {
-    joins::RULES.iter()
+    joins::RULES.iter().chain(&crate::worksheet::RULES)
 }
 
 /// The command.

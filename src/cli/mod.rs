@@ -7,6 +7,7 @@ mod command;
 mod diagnostic;
 mod ending;
 mod explain;
+mod files;
 mod flags;
 mod given;
 mod read;
@@ -15,6 +16,7 @@ mod shape;
 mod source;
 mod target;
 mod value;
+mod verify;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};
@@ -91,6 +93,7 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<Ending, Problem> {
             print(&script)?;
             Ok(Ending::Fine)
         }
+        "verify" => verify::verify(matches, is_coloured(matches, &io::stdout())),
         _ => operate(verb, matches).map(Ending::of_answer),
     }
 }

@@ -3,6 +3,7 @@
 
 mod monomial;
 mod polynomial;
+mod root;
 mod symbol;
 
 pub use monomial::Monomial;

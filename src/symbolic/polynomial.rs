@@ -204,6 +204,12 @@ impl Polynomial {
         self.map_symbols(|symbol| if symbol == from { to } else { symbol })
     }
 
+    /// The polynomial with other symbols in place of some, all at once.
+    #[must_use]
+    pub(crate) fn renamed(&self, pairs: &[(Symbol, Symbol)]) -> Self {
+        self.map_symbols(|symbol| pairs.iter().find(|pair| pair.0 == symbol).map_or(symbol, |pair| pair.1))
+    }
+
     /// The polynomial with two symbols exchanged.
     #[must_use]
     pub fn swap(&self, a: Symbol, b: Symbol) -> Self {

@@ -3,7 +3,7 @@
 use num_traits::One;
 
 use super::evaluate::Value;
-use super::expression::ExpressionKind;
+use super::expression::{ExpressionKind, PolarArgument};
 use super::lexer::shorten;
 use super::limits::MAX_DEGREE;
 use super::literal::exponent_value;
@@ -52,7 +52,8 @@ pub fn parse_polar_arguments(text: &str) -> Result<PolarArguments, SyntaxError> 
     let mut parser = Parser::spaced(text)?;
     let mut groups = Vec::new();
     loop {
-        groups.push(parser.arguments()?);
+        let group = parser.polar_arguments()?;
+        groups.push(parser.evaluate_arguments(&group)?);
         if parser.at_end() {
             break;
         }
@@ -68,49 +69,81 @@ pub fn parse_polar_arguments(text: &str) -> Result<PolarArguments, SyntaxError> 
 const ARGUMENT: &str = "an argument: a number, a point `(u,v)` or `[w; t]`";
 
 impl Parser<'_> {
-    /// The arguments up to a semicolon or the end.
-    fn arguments(&mut self) -> Result<Vec<ArgumentInput>, SyntaxError> {
-        let repeats =
-            !self.top_level().take_while(|(_, token)| token.kind != TokenKind::Semicolon).any(|(_, token)| token.kind == TokenKind::Comma);
+    /// The arguments up to a semicolon, the end, or the bracket that closes
+    /// them. Without a comma among them they may be repeated; whether blanks
+    /// separate them is a property of the parser.
+    pub(crate) fn polar_arguments(&mut self) -> Result<Vec<PolarArgument>, SyntaxError> {
+        let repeats = !self.group_has_comma();
         let mut arguments = Vec::new();
         let mut after_comma = false;
         loop {
             match self.peek() {
                 TokenKind::End | TokenKind::Semicolon if !after_comma => return Ok(arguments),
+                TokenKind::Close(_) if !after_comma && self.is_inside() => return Ok(arguments),
                 TokenKind::End | TokenKind::Semicolon | TokenKind::Comma | TokenKind::Close(_) => return Err(self.expected(ARGUMENT)),
                 _ => {}
             }
-            let (argument, count) = if self.peek() == TokenKind::Open(Bracket::Square) {
+            arguments.push(if self.peek() == TokenKind::Open(Bracket::Square) {
                 self.homogeneous(repeats)?
             } else {
                 self.argument_of_polar_form(repeats)?
-            };
-            if arguments.len() as u64 + u64::from(count) > u64::from(MAX_DEGREE) {
-                return Err(SyntaxError::new(
-                    argument.span,
-                    format!("found more than {MAX_DEGREE} arguments, expected at most {MAX_DEGREE}"),
-                ));
-            }
-            arguments.extend((0..count).map(|_| argument.clone()));
+            });
             after_comma = self.take(TokenKind::Comma);
+            if !after_comma && !repeats && self.is_inside() && !matches!(self.peek(), TokenKind::Close(_) | TokenKind::Semicolon) {
+                return Err(self.expected("an operator, `,` or `)` behind an argument"));
+            }
         }
     }
 
+    /// Whether a comma separates the arguments of the group that begins here.
+    pub(crate) fn group_has_comma(&self) -> bool {
+        self.top_level()
+            .take_while(|(_, token)| !matches!(token.kind, TokenKind::Semicolon | TokenKind::Close(_)))
+            .any(|(_, token)| token.kind == TokenKind::Comma)
+    }
+
+    /// The values of arguments, repeated ones written out.
+    pub(crate) fn evaluate_arguments(&mut self, group: &[PolarArgument]) -> Result<Vec<ArgumentInput>, SyntaxError> {
+        let mut arguments = Vec::new();
+        for PolarArgument { weight, coordinates: written, repeated, span } in group {
+            let mut coordinates = Vec::with_capacity(written.len());
+            for expression in written {
+                match self.evaluate(expression)? {
+                    Value::Scalar(value) => coordinates.push(value),
+                    Value::Tuple(values) => coordinates.extend(values),
+                }
+            }
+            check_coordinates(&coordinates, *span)?;
+            let count = match repeated {
+                None => 1,
+                Some(exponent) => {
+                    let value = self.evaluate_scalar(exponent)?.as_rational();
+                    value.and_then(|value| exponent_value(&value)).ok_or_else(|| {
+                        SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number")
+                    })?
+                }
+            };
+            if arguments.len() as u64 + u64::from(count) > u64::from(MAX_DEGREE) {
+                let message = format!("found more than {MAX_DEGREE} arguments, expected at most {MAX_DEGREE}");
+                return Err(SyntaxError::new(*span, message));
+            }
+            let is_homogeneous = weight.is_some();
+            let weight = match weight {
+                Some(weight) => self.evaluate_scalar(weight)?,
+                None => Polynomial::one(),
+            };
+            let argument = ArgumentInput { weight, coordinates, is_homogeneous, span: *span };
+            arguments.extend((0..count).map(|_| argument.clone()));
+        }
+        Ok(arguments)
+    }
+
     /// A number or a point, and how often it is repeated.
-    fn argument_of_polar_form(&mut self, repeats: bool) -> Result<(ArgumentInput, u32), SyntaxError> {
+    fn argument_of_polar_form(&mut self, repeats: bool) -> Result<PolarArgument, SyntaxError> {
         let expression = self.expression()?;
         let span = expression.span;
-        let (base, count) = match &expression.kind {
-            ExpressionKind::Power(base, exponent) if repeats => {
-                let value = self.evaluate_scalar(exponent)?;
-                let count = value.as_rational().and_then(|value| exponent_value(&value));
-                (
-                    base.as_ref(),
-                    count.ok_or_else(|| {
-                        SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number")
-                    })?,
-                )
-            }
+        let (base, repeated) = match expression.kind {
+            ExpressionKind::Power(base, exponent) if repeats => (*base, Some(*exponent)),
             _ if repeats && expression.has_bare_power() => {
                 let shown = shorten(span.text(self.source));
                 let message = format!(
@@ -119,50 +152,40 @@ impl Parser<'_> {
                 let help = "put the repeated argument in brackets, as in `(-1)^2`, or separate the arguments by commas to compute powers";
                 return Err(SyntaxError::new(span, message).with_help(help));
             }
-            _ => (&expression, 1),
+            _ => (expression, None),
         };
-        let coordinates = match self.evaluate(base)? {
-            Value::Scalar(value) => vec![value],
-            Value::Tuple(values) => values,
-        };
-        check_coordinates(&coordinates, span)?;
-        Ok((ArgumentInput { weight: Polynomial::one(), coordinates, is_homogeneous: false, span }, count))
+        Ok(PolarArgument { weight: None, coordinates: vec![base], repeated, span })
     }
 
     /// `[w; t]` or `[w; u,v]`, and how often it is repeated.
-    fn homogeneous(&mut self, repeats: bool) -> Result<(ArgumentInput, u32), SyntaxError> {
+    fn homogeneous(&mut self, repeats: bool) -> Result<PolarArgument, SyntaxError> {
         let open = self.advance().span;
-        let weight = self.scalar()?;
+        // In worksheets blanks multiply in brackets, on the command line they separate.
+        let spaced = self.set_spaced(!self.is_inside());
+        let weight = self.expression()?;
         if !self.take(TokenKind::Semicolon) {
             return Err(self.expected("`;` behind the weight of a homogeneous argument `[w; t]`"));
         }
         let mut coordinates = Vec::new();
         loop {
-            let expression = self.expression()?;
-            match self.evaluate(&expression)? {
-                Value::Scalar(value) => coordinates.push(value),
-                Value::Tuple(values) => coordinates.extend(values),
-            }
+            coordinates.push(self.expression()?);
             let separated = self.take(TokenKind::Comma);
             if !separated && matches!(self.peek(), TokenKind::Close(_)) {
                 break;
             }
         }
+        self.set_spaced(spaced);
         let mut span = open.to(self.advance().span);
-        check_coordinates(&coordinates, span)?;
-        let mut count = 1;
+        let mut repeated = None;
         if matches!(self.peek(), TokenKind::Power | TokenKind::Superscript) {
             if !repeats {
                 return Err(self.expected("`,`, since arguments repeat only in a list without commas"));
             }
             let exponent = self.exponent()?;
             span = span.to(exponent.span);
-            let value = self.evaluate_scalar(&exponent)?.as_rational();
-            count = value.and_then(|value| exponent_value(&value)).ok_or_else(|| {
-                SyntaxError::new(exponent.span, "found a number of repetitions that is none, expected a small whole number")
-            })?;
+            repeated = Some(exponent);
         }
-        Ok((ArgumentInput { weight, coordinates, is_homogeneous: true, span }, count))
+        Ok(PolarArgument { weight: Some(weight), coordinates, repeated, span })
     }
 }
 

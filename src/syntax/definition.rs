@@ -40,7 +40,7 @@ impl Parser<'_> {
         !self.is_latex() && self.source.trim_end().ends_with(',')
     }
 
-    fn definition(&mut self) -> Result<Definition, SyntaxError> {
+    pub(crate) fn definition(&mut self) -> Result<Definition, SyntaxError> {
         let token = self.advance();
         let TokenKind::Symbol(name) = token.kind else {
             return Err(SyntaxError::new(token.span, format!("found {}, expected the name of a map", self.describe(token))));

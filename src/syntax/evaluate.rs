@@ -43,10 +43,19 @@ impl Parser<'_> {
             ExpressionKind::Sum(terms) => self.sum(terms, expression.span),
             ExpressionKind::Product(factors) => self.factors(factors, expression.span),
             ExpressionKind::Power(base, exponent) => self.raise(base, exponent, expression.span).map(Value::Scalar),
-            ExpressionKind::Root(radicand) => self.root(radicand, expression.span).map(|root| Value::Scalar(Polynomial::from(root))),
+            ExpressionKind::Root(radicand) => self.root(radicand, expression.span).map(Value::Scalar),
             ExpressionKind::Group(inner) => self.evaluate(inner),
             ExpressionKind::Tuple(items) => {
                 items.iter().map(|item| self.evaluate_scalar(item)).collect::<Result<Vec<_>, _>>().map(Value::Tuple)
+            }
+            ExpressionKind::Known(value) => Ok(value.clone()),
+            ExpressionKind::List(_)
+            | ExpressionKind::Entry(..)
+            | ExpressionKind::Weighted(..)
+            | ExpressionKind::Word(_)
+            | ExpressionKind::Call(_) => {
+                let shown = super::lexer::shorten(expression.span.text(self.source));
+                Err(SyntaxError::new(expression.span, format!("found `{shown}`, expected a number, a polynomial or a point")))
             }
         }
     }
@@ -114,10 +123,13 @@ impl Parser<'_> {
         let mut tuple: Option<Vec<Polynomial>> = None;
         for (divided, factor) in factors {
             let value = match self.evaluate(factor)? {
-                Value::Scalar(value) if *divided => {
-                    number = self.multiply_numbers(&number, &inverse(&value, factor.span)?, span)?;
-                    continue;
-                }
+                Value::Scalar(value) if *divided => match value.reciprocal() {
+                    Some(root) if value.has_roots() => root,
+                    _ => {
+                        number = self.multiply_numbers(&number, &inverse(&value, factor.span)?, span)?;
+                        continue;
+                    }
+                },
                 Value::Tuple(_) if *divided => {
                     return Err(SyntaxError::new(factor.span, "found a point as divisor, expected a non-zero number"));
                 }
@@ -204,7 +216,7 @@ impl Parser<'_> {
         Ok(result)
     }
 
-    fn root(&mut self, radicand: &Expression, span: Span) -> Result<Rational, SyntaxError> {
+    fn root(&mut self, radicand: &Expression, span: Span) -> Result<Polynomial, SyntaxError> {
         let value = self.evaluate_scalar(radicand)?;
         let Some(value) = value.as_rational() else {
             return Err(SyntaxError::new(radicand.span, format!("found the root of `{}`, expected the root of a number", shown(&value))));
@@ -216,9 +228,13 @@ impl Parser<'_> {
         let (numer, denom) = (value.numer().sqrt(), value.denom().sqrt());
         if &numer * &numer != value.numer() || &denom * &denom != value.denom() {
             let shown = super::lexer::shorten(&value.to_string());
+            if self.allows_roots() {
+                let message = || format!("found √({shown}), whose radicand has a prime factor that is too large");
+                return Polynomial::square_root(&value).ok_or_else(|| SyntaxError::new(span, message()));
+            }
             return Err(SyntaxError::new(span, format!("found √({shown}), which is not rational, expected rational numbers here")));
         }
-        Ok(Rational::from_big(numer, denom))
+        Ok(Polynomial::from(Rational::from_big(numer, denom)))
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Span;
+use super::evaluate::Value;
 use crate::exact::Rational;
 use crate::symbolic::Symbol;
 
@@ -26,23 +27,111 @@ pub(crate) enum ExpressionKind {
     Group(Box<Expression>),
     /// Two or more expressions in brackets.
     Tuple(Vec<Expression>),
+    /// A list in square brackets. This and the following kinds occur in worksheets only.
+    List(Vec<Expression>),
+    /// An entry of a list.
+    Entry(Box<Expression>, Box<Expression>),
+    /// A point with its weight.
+    Weighted(Box<Expression>, Box<Expression>),
+    /// The name of a class, an order or another answer.
+    Word(&'static str),
+    /// A function, a map or a polar form with its arguments.
+    Call(Box<Call>),
+    /// What has been evaluated already.
+    Known(Value),
+}
+
+/// A call of a function, of a map or of a polar form.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Call {
+    pub(crate) callee: Callee,
+    /// The place of the name.
+    pub(crate) name_span: Span,
+    pub(crate) arguments: Arguments,
+}
+
+/// What is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Callee {
+    /// A function, by its name.
+    Function(&'static str),
+    /// A map, a net or a polar form.
+    Name(Symbol),
+}
+
+/// The arguments of a call.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Arguments {
+    /// Those of a function or a map.
+    Plain(Vec<Argument>),
+    /// Those of a polar form: one group, or two where a semicolon separates them.
+    Polar(Vec<Vec<PolarArgument>>),
+}
+
+/// One argument of a function or a map.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Argument {
+    /// A value.
+    Plain(Expression),
+    /// An interval `r..s`.
+    Range(Expression, Expression),
+    /// A value by the name of what it is for: `u = 1/2`.
+    Named(Symbol, Expression),
+}
+
+impl Argument {
+    /// Where the argument stands.
+    pub(crate) fn span(&self) -> Span {
+        match self {
+            Self::Plain(expression) | Self::Named(_, expression) => expression.span,
+            Self::Range(from, to) => from.span.to(to.span),
+        }
+    }
+}
+
+/// One argument of a polar form before it is evaluated.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PolarArgument {
+    /// The weight of a homogeneous argument `[w; …]`.
+    pub(crate) weight: Option<Expression>,
+    /// One expression, or the coordinates of a homogeneous argument.
+    pub(crate) coordinates: Vec<Expression>,
+    /// How often the argument is repeated, unless it is once.
+    pub(crate) repeated: Option<Expression>,
+    pub(crate) span: Span,
 }
 
 impl Expression {
     /// The symbols that are written in the expression, each with its first place.
     pub(crate) fn collect_symbols(&self, into: &mut BTreeMap<Symbol, Span>) {
+        if let ExpressionKind::Symbol(symbol) = self.kind {
+            into.entry(symbol).or_insert(self.span);
+        }
+        self.parts().into_iter().for_each(|part| part.collect_symbols(into));
+    }
+
+    /// The expressions that this one is made of, in their order.
+    pub(crate) fn parts(&self) -> Vec<&Expression> {
         match &self.kind {
-            ExpressionKind::Number(_) => {}
-            ExpressionKind::Symbol(symbol) => {
-                into.entry(*symbol).or_insert(self.span);
-            }
-            ExpressionKind::Sum(parts) | ExpressionKind::Product(parts) => parts.iter().for_each(|(_, part)| part.collect_symbols(into)),
-            ExpressionKind::Power(a, b) => {
-                a.collect_symbols(into);
-                b.collect_symbols(into);
-            }
-            ExpressionKind::Root(part) | ExpressionKind::Group(part) => part.collect_symbols(into),
-            ExpressionKind::Tuple(parts) => parts.iter().for_each(|part| part.collect_symbols(into)),
+            ExpressionKind::Number(_) | ExpressionKind::Symbol(_) | ExpressionKind::Word(_) | ExpressionKind::Known(_) => Vec::new(),
+            ExpressionKind::Sum(parts) | ExpressionKind::Product(parts) => parts.iter().map(|(_, part)| part).collect(),
+            ExpressionKind::Power(a, b) | ExpressionKind::Entry(a, b) | ExpressionKind::Weighted(a, b) => vec![a, b],
+            ExpressionKind::Root(part) | ExpressionKind::Group(part) => vec![part],
+            ExpressionKind::Tuple(parts) | ExpressionKind::List(parts) => parts.iter().collect(),
+            ExpressionKind::Call(call) => match &call.arguments {
+                Arguments::Plain(arguments) => {
+                    let parts = arguments.iter().flat_map(|argument| match argument {
+                        Argument::Plain(part) | Argument::Named(_, part) => vec![part],
+                        Argument::Range(a, b) => vec![a, b],
+                    });
+                    parts.collect()
+                }
+                Arguments::Polar(groups) => groups
+                    .iter()
+                    .flatten()
+                    .flat_map(|argument| argument.weight.iter().chain(&argument.coordinates).chain(&argument.repeated))
+                    .collect(),
+            },
         }
     }
 

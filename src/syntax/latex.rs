@@ -1,5 +1,7 @@
 //! The commands of LaTeX that mathematics in textbooks uses, and Greek letters.
 
+use super::token::Comparison;
+
 /// What a command stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Command {
@@ -7,6 +9,9 @@ pub(crate) enum Command {
     Fraction,
     Root,
     Times,
+    Comparison(Comparison),
+    /// A word in braces, as in `\operatorname{class}`.
+    Word,
     /// Spacing and layout, skipped like a blank.
     Blank,
     /// What may separate definitions; a blank otherwise.
@@ -70,6 +75,12 @@ pub(crate) fn command(name: &str) -> Option<Command> {
         "frac" | "tfrac" | "dfrac" => Command::Fraction,
         "sqrt" => Command::Root,
         "cdot" | "times" | "ast" => Command::Times,
+        "ne" | "neq" => Command::Comparison(Comparison::NotEqual),
+        "lt" => Command::Comparison(Comparison::Less),
+        "le" | "leq" => Command::Comparison(Comparison::LessOrEqual),
+        "gt" => Command::Comparison(Comparison::Greater),
+        "ge" | "geq" => Command::Comparison(Comparison::GreaterOrEqual),
+        "operatorname" | "text" | "mathrm" | "textrm" => Command::Word,
         "," | ";" | ":" | "!" | ">" | " " | "quad" | "displaystyle" | "textstyle" | "nonumber" | "notag" | "allowbreak" | "enspace"
         | "thinspace" => Command::Blank,
         "\\" | "qquad" | "[" | "]" | "(" | ")" | "newline" => Command::Break,

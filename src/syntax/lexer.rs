@@ -40,14 +40,30 @@ pub(crate) fn is_latex(source: &str) -> bool {
     source.contains(['\\', '$'])
 }
 
+/// How the letters and signs of a text are read.
+#[derive(Clone, Copy)]
+pub(crate) struct Spelling {
+    /// Whether the text is LaTeX.
+    pub(crate) latex: bool,
+    /// The words that are more than products of their letters.
+    pub(crate) word: fn(&str) -> Option<&'static str>,
+}
+
+impl Spelling {
+    /// The spelling of mathematics without words.
+    pub(crate) fn of(source: &str) -> Self {
+        Self { latex: is_latex(source), word: |_| None }
+    }
+}
+
 /// The tokens of a text, ended by one [`TokenKind::End`].
-pub(crate) fn tokens(source: &str) -> Result<Vec<Token>, SyntaxError> {
+pub(crate) fn tokens(source: &str, spelling: Spelling) -> Result<Vec<Token>, SyntaxError> {
     if source.len() > MAX_INPUT_BYTES {
         let message = format!("found {} bytes of input, expected at most {MAX_INPUT_BYTES}", source.len());
         return Err(SyntaxError::new(Span::new(0, 0), message));
     }
-    let mut lexer =
-        Lexer { source, at: 0, latex: is_latex(source), tokens: Vec::with_capacity(source.len() / 2 + 1), blank: false, line_break: false };
+    let Spelling { latex, word } = spelling;
+    let mut lexer = Lexer { source, at: 0, latex, word, tokens: Vec::with_capacity(source.len() / 2 + 1), blank: false, line_break: false };
     while lexer.step()? {}
     Ok(lexer.tokens)
 }
@@ -56,6 +72,7 @@ pub(crate) struct Lexer<'a> {
     pub(crate) source: &'a str,
     pub(crate) at: usize,
     pub(crate) latex: bool,
+    word: fn(&str) -> Option<&'static str>,
     tokens: Vec<Token>,
     blank: bool,
     line_break: bool,
@@ -108,7 +125,13 @@ impl<'a> Lexer<'a> {
                 self.push(TokenKind::Root, start);
             }
             'µ' => self.symbol('μ', start)?,
-            _ if Symbol::is_letter(c) => self.symbol(c, start)?,
+            _ if Symbol::is_letter(c) => match self.word_at(start) {
+                Some((word, length)) => {
+                    self.at = start + length;
+                    self.push(TokenKind::Word(word), start);
+                }
+                None => self.symbol(c, start)?,
+            },
             '\\' => self.command(start)?,
             '$' => (self.blank, self.line_break) = (true, true),
             '&' | '~' if self.latex => self.blank = true,
@@ -228,6 +251,31 @@ impl<'a> Lexer<'a> {
         self.source.get(start..).is_some_and(|text| text.starts_with("sqrt(")) && !before.is_some_and(Symbol::is_letter)
     }
 
+    /// The word that begins at `start`, and how long it is, if the letters there make one.
+    fn word_at(&self, start: usize) -> Option<(&'static str, usize)> {
+        let before = self.source.get(..start).and_then(|text| text.chars().next_back());
+        if before.is_some_and(|c| Symbol::is_letter(c) || c == '_') {
+            return None;
+        }
+        let rest = self.source.get(start..)?;
+        let length = rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
+        (self.word)(&rest[..length]).map(|word| (word, length))
+    }
+
+    /// A word in braces, as in `\operatorname{class}`.
+    fn braced_word(&mut self, start: usize) -> Result<(), SyntaxError> {
+        let braced = self.rest().strip_prefix('{').and_then(|rest| rest.split_once('}')).map(|(text, _)| text);
+        if let Some(text) = braced {
+            self.at += text.len() + "{}".len();
+            if let Some(word) = (self.word)(&text.trim().replace("\\_", "_")) {
+                self.push(TokenKind::Word(word), start);
+                return Ok(());
+            }
+        }
+        let shown = shorten(braced.unwrap_or(""));
+        Err(SyntaxError::new(Span::new(start, self.at), format!("found the words `{shown}`, expected mathematics")))
+    }
+
     /// A LaTeX command; the backslash has been read.
     fn command(&mut self, start: usize) -> Result<(), SyntaxError> {
         let mut name = self.skip(|c| c.is_ascii_alphabetic());
@@ -241,6 +289,8 @@ impl<'a> Lexer<'a> {
             Some(Command::Fraction) => self.push(TokenKind::Fraction, start),
             Some(Command::Root) => self.push(TokenKind::Root, start),
             Some(Command::Times) => self.push(TokenKind::Times, start),
+            Some(Command::Comparison(comparison)) => self.push(TokenKind::Comparison(comparison), start),
+            Some(Command::Word) => self.braced_word(start)?,
             Some(Command::Blank) => self.blank = true,
             Some(Command::Break) => {
                 (self.blank, self.line_break) = (true, true);
@@ -339,7 +389,7 @@ mod tests {
     use super::*;
 
     fn texts(source: &str) -> Vec<String> {
-        match tokens(source) {
+        match tokens(source, Spelling::of(source)) {
             Ok(tokens) => tokens.iter().map(|token| token.span.text(source).to_owned()).collect(),
             Err(error) => vec![error.to_string()],
         }

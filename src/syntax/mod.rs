@@ -6,13 +6,13 @@
 //! stand the inputs that commands take: maps, points, frames, polar arguments.
 //! Every step keeps byte spans, so that an error can say where it is.
 
-mod arguments;
+pub(crate) mod arguments;
 mod brackets;
 mod cost;
-mod definition;
+pub(crate) mod definition;
 mod error;
-mod evaluate;
-mod expression;
+pub(crate) mod evaluate;
+pub(crate) mod expression;
 mod frame;
 mod input;
 mod latex;
@@ -21,12 +21,13 @@ mod lexer;
 pub mod limits;
 mod literal;
 mod map;
-mod parser;
+pub(crate) mod parser;
 mod points;
 pub mod printer;
 mod scalar;
 mod span;
-mod token;
+pub(crate) mod statement;
+pub(crate) mod token;
 
 pub use arguments::{ArgumentInput, PolarArguments, parse_polar_arguments};
 pub use error::SyntaxError;

@@ -1,14 +1,31 @@
 //! From tokens to expressions.
 
 use super::brackets::{partners, too_deep};
-use super::expression::{Expression, ExpressionKind};
-use super::lexer::{self, shorten, superscript_digits};
+use super::expression::{Argument, Arguments, Call, Callee, Expression, ExpressionKind};
+use super::lexer::{self, Spelling, shorten, superscript_digits};
 use super::limits::{Budget, MAX_NESTING};
 use super::token::{Bracket, Token, TokenKind};
 use super::{Span, SyntaxError};
 use crate::symbolic::Symbol;
 
 const FACTOR: &str = "a number, a letter or `(`";
+
+/// What a worksheet has beyond the grammar of formulas.
+#[derive(Clone, Copy)]
+pub(crate) struct Vocabulary<'a> {
+    /// The words: names of functions, classes, orders.
+    pub(crate) word: fn(&str) -> Option<&'static str>,
+    /// Whether a letter is the name of a map or of its polar form, and which;
+    /// asked with whether several arguments stand behind it.
+    pub(crate) callee: &'a dyn Fn(Symbol, bool) -> Option<Named>,
+}
+
+/// What a letter in front of a bracket stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Named {
+    Map,
+    PolarForm,
+}
 
 /// A cursor over the tokens of one text. The methods that read a piece of it
 /// leave the cursor behind that piece; what it is followed by is the caller's
@@ -25,14 +42,41 @@ pub(crate) struct Parser<'a> {
     spaced: bool,
     /// Whether the head of a definition ends an expression.
     definitions: bool,
+    /// Whether a line end does, where no operator stands.
+    lines: bool,
+    /// What letters and words stand for, in a worksheet.
+    vocabulary: Option<Vocabulary<'a>>,
+    /// In how many brackets of calls and lists the cursor is.
+    inside: usize,
 }
 
 impl<'a> Parser<'a> {
     pub(crate) fn new(source: &'a str) -> Result<Self, SyntaxError> {
-        let tokens = lexer::tokens(source)?;
-        let partners = partners(&tokens)?;
-        let latex = lexer::is_latex(source);
-        Ok(Self { source, budget: Budget::new(), tokens, partners, at: 0, latex, depth: 0, spaced: false, definitions: false })
+        Self::with(source, Spelling::of(source), None)
+    }
+
+    /// A parser of the statements of a worksheet.
+    pub(crate) fn of_worksheet(source: &'a str, latex: bool, vocabulary: Vocabulary<'a>) -> Result<Self, SyntaxError> {
+        let spelling = Spelling { latex: latex || lexer::is_latex(source), word: vocabulary.word };
+        Self::with(source, spelling, Some(vocabulary))
+    }
+
+    fn with(source: &'a str, spelling: Spelling, vocabulary: Option<Vocabulary<'a>>) -> Result<Self, SyntaxError> {
+        let tokens = lexer::tokens(source, spelling)?;
+        Ok(Self {
+            source,
+            budget: Budget::new(),
+            partners: partners(&tokens)?,
+            tokens,
+            at: 0,
+            latex: spelling.latex,
+            depth: 0,
+            spaced: false,
+            definitions: false,
+            lines: false,
+            vocabulary,
+            inside: 0,
+        })
     }
 
     /// The same, with blanks ending an expression.
@@ -48,6 +92,27 @@ impl<'a> Parser<'a> {
 
     pub(crate) fn set_definitions(&mut self, definitions: bool) {
         self.definitions = definitions;
+    }
+
+    /// Lets a line end be the end of an expression, where no operator stands.
+    pub(crate) fn set_lines(&mut self, lines: bool) {
+        self.lines = lines;
+    }
+
+    /// Whether the cursor is in the brackets of a call or a list.
+    pub(crate) fn is_inside(&self) -> bool {
+        self.inside > 0
+    }
+
+    /// Whether roots that are not rational are numbers, as they are in worksheets.
+    pub(crate) fn allows_roots(&self) -> bool {
+        self.vocabulary.is_some()
+    }
+
+    /// What the letter at the cursor stands for in front of a bracket.
+    pub(crate) fn named(&self, symbol: Symbol) -> Option<Named> {
+        let several = self.token(1).kind == TokenKind::Open(Bracket::Round) && self.has_separator(1);
+        self.vocabulary.and_then(|vocabulary| (vocabulary.callee)(symbol, several))
     }
 
     pub(crate) fn is_latex(&self) -> bool {
@@ -105,12 +170,21 @@ impl<'a> Parser<'a> {
 
     /// Whether the bracket `ahead` contains a comma that is not in a further bracket.
     pub(crate) fn has_comma(&self, ahead: usize) -> bool {
+        self.contains(ahead, &[TokenKind::Comma])
+    }
+
+    /// Whether the bracket `ahead` contains a comma or semicolon that is not in a further bracket.
+    fn has_separator(&self, ahead: usize) -> bool {
+        self.contains(ahead, &[TokenKind::Comma, TokenKind::Semicolon])
+    }
+
+    fn contains(&self, ahead: usize, kinds: &[TokenKind]) -> bool {
         let end = ahead + self.bracket_length(ahead);
         let mut inside = ahead + 1;
         while inside < end {
             let token = self.token(inside);
             match token.kind {
-                TokenKind::Comma => return true,
+                kind if kinds.contains(&kind) => return true,
                 TokenKind::Open(_) => inside += self.bracket_length(inside),
                 _ => inside += 1,
             }
@@ -219,6 +293,7 @@ impl<'a> Parser<'a> {
                 // In lists a blank separates, and so does the end of a point.
                 _ if self.spaced && (token.blank_before || after_tuple) => break,
                 _ if self.definitions && self.at_definition() => break,
+                _ if self.lines && token.break_before => break,
                 _ => {}
             }
             let factor = self.power()?;
@@ -241,12 +316,22 @@ impl<'a> Parser<'a> {
         match token.kind {
             TokenKind::Number | TokenKind::Symbol(_) | TokenKind::Root | TokenKind::Fraction | TokenKind::Open(Bracket::Round) => true,
             TokenKind::Open(Bracket::Curly) => self.latex,
+            TokenKind::Word(_) => self.calls(),
             _ => false,
         }
     }
 
+    /// Whether the bracket of a call stands right behind the name at the cursor.
+    fn calls(&self) -> bool {
+        let next = self.token(1);
+        next.kind == TokenKind::Open(Bracket::Round) && !next.blank_before
+    }
+
     fn power(&mut self) -> Result<Expression, SyntaxError> {
-        let base = self.atom()?;
+        let mut base = self.atom()?;
+        while self.vocabulary.is_some() && self.peek() == TokenKind::Open(Bracket::Square) && !self.token(0).blank_before {
+            base = self.entry(base)?;
+        }
         if !matches!(self.peek(), TokenKind::Power | TokenKind::Superscript) {
             return Ok(base);
         }
@@ -309,11 +394,22 @@ impl<'a> Parser<'a> {
                 Ok(Expression { kind: ExpressionKind::Number(value), span: token.span })
             }
             TokenKind::Symbol(symbol) => {
+                if self.calls()
+                    && let Some(named) = self.named(symbol)
+                {
+                    return self.call(Callee::Name(symbol), named == Named::PolarForm);
+                }
                 self.advance();
                 Ok(Expression { kind: ExpressionKind::Symbol(symbol), span: token.span })
             }
+            TokenKind::Word(name) if self.calls() => self.call(Callee::Function(name), false),
+            TokenKind::Word(name) => {
+                self.advance();
+                Ok(Expression { kind: ExpressionKind::Word(name), span: token.span })
+            }
             TokenKind::Open(Bracket::Round) => self.group(),
             TokenKind::Open(Bracket::Curly) if self.latex => self.group(),
+            TokenKind::Open(Bracket::Square) if self.vocabulary.is_some() => self.list(),
             TokenKind::Open(Bracket::Square) => {
                 Err(self.expected(FACTOR).with_help("`[ ]` makes a list; round brackets group, as in `2 (t + 1)`"))
             }
@@ -369,10 +465,133 @@ impl<'a> Parser<'a> {
     /// A bracket, round or curly, with one expression or several.
     fn group(&mut self) -> Result<Expression, SyntaxError> {
         let open = self.advance();
-        let (spaced, definitions) = (self.set_spaced(false), std::mem::replace(&mut self.definitions, false));
-        let result = self.nested(|parser| parser.group_inside(open));
-        (self.spaced, self.definitions) = (spaced, definitions);
+        self.bracketed(|parser| parser.group_inside(open))
+    }
+
+    /// Reads what stands in a bracket, where neither blanks nor lines separate.
+    fn bracketed<T>(&mut self, read: impl FnOnce(&mut Self) -> Result<T, SyntaxError>) -> Result<T, SyntaxError> {
+        let outside = (self.spaced, self.definitions, self.lines, self.inside);
+        (self.spaced, self.definitions, self.lines) = (false, false, false);
+        let result = self.nested(read);
+        (self.spaced, self.definitions, self.lines, self.inside) = outside;
         result
+    }
+
+    /// A call; the name is at the cursor, its bracket behind it.
+    fn call(&mut self, callee: Callee, is_polar: bool) -> Result<Expression, SyntaxError> {
+        let name_span = self.advance().span;
+        let open = self.advance();
+        let arguments = self.bracketed(|parser| {
+            parser.inside += 1;
+            if is_polar {
+                return parser.polar_groups().map(Arguments::Polar);
+            }
+            parser.plain_arguments().map(Arguments::Plain)
+        })?;
+        let span = name_span.to(open.span).to(self.advance().span);
+        Ok(Expression { kind: ExpressionKind::Call(Box::new(Call { callee, name_span, arguments })), span })
+    }
+
+    fn polar_groups(&mut self) -> Result<Vec<Vec<super::expression::PolarArgument>>, SyntaxError> {
+        let mut groups = Vec::new();
+        loop {
+            // Only where no comma separates do blanks.
+            let commas = self.group_has_comma();
+            self.set_spaced(!commas);
+            groups.push(self.polar_arguments()?);
+            if matches!(self.peek(), TokenKind::Close(_)) {
+                return Ok(groups);
+            }
+            if groups.len() == 2 {
+                return Err(self.expected("at most two groups of arguments"));
+            }
+            self.advance();
+        }
+    }
+
+    fn plain_arguments(&mut self) -> Result<Vec<Argument>, SyntaxError> {
+        let mut arguments = Vec::new();
+        if matches!(self.peek(), TokenKind::Close(_)) {
+            return Ok(arguments);
+        }
+        loop {
+            arguments.push(match (self.peek(), self.token(1).kind) {
+                (TokenKind::Symbol(name), TokenKind::Equals) => {
+                    self.advance();
+                    self.advance();
+                    Argument::Named(name, self.expression()?)
+                }
+                _ => {
+                    let first = self.weighted()?;
+                    if self.take(TokenKind::Range) { Argument::Range(first, self.expression()?) } else { Argument::Plain(first) }
+                }
+            });
+            match self.peek() {
+                TokenKind::Close(_) => return Ok(arguments),
+                TokenKind::Comma => self.advance(),
+                _ => return Err(self.expected("an operator, `,` or `)` behind an argument")),
+            };
+        }
+    }
+
+    /// An expression, with its weight if there is one.
+    pub(crate) fn weighted(&mut self) -> Result<Expression, SyntaxError> {
+        let point = self.expression()?;
+        if self.vocabulary.is_none() || !self.take(TokenKind::Colon) {
+            return Ok(point);
+        }
+        let weight = self.expression()?;
+        let span = point.span.to(weight.span);
+        Ok(Expression { kind: ExpressionKind::Weighted(Box::new(point), Box::new(weight)), span })
+    }
+
+    /// Whether a list without commas is one of points or of numbers, not one product.
+    fn is_row(&self) -> bool {
+        let (mut points, mut others) = (0, 0);
+        for (ahead, token) in self.top_level().take_while(|(_, token)| !matches!(token.kind, TokenKind::Close(_))) {
+            match token.kind {
+                TokenKind::Open(Bracket::Square) => points += 1,
+                TokenKind::Open(_) if self.has_comma(ahead) => points += 1,
+                TokenKind::Open(_) | TokenKind::Symbol(_) | TokenKind::Word(_) => others += 1,
+                _ => {}
+            }
+        }
+        points > 1 || others == 0
+    }
+
+    /// A list in square brackets: separated by commas or, where there is none, by blanks.
+    fn list(&mut self) -> Result<Expression, SyntaxError> {
+        let open = self.advance();
+        let items = self.bracketed(|parser| {
+            parser.inside += 1;
+            let commas = parser.group_has_comma();
+            parser.set_spaced(!commas && parser.is_row());
+            let mut items = Vec::new();
+            while !matches!(parser.peek(), TokenKind::Close(_)) {
+                items.push(parser.weighted()?);
+                let comma = parser.take(TokenKind::Comma);
+                if !parser.spaced && !comma && !matches!(parser.peek(), TokenKind::Close(_)) {
+                    return Err(parser.expected("an operator, `,` or `]` behind an entry of the list"));
+                }
+            }
+            Ok(items)
+        })?;
+        let span = open.span.to(self.advance().span);
+        Ok(Expression { kind: ExpressionKind::List(items), span })
+    }
+
+    /// An entry of a list: `[k]` behind it.
+    fn entry(&mut self, list: Expression) -> Result<Expression, SyntaxError> {
+        self.advance();
+        let index = self.bracketed(|parser| {
+            let index = parser.expression()?;
+            if !matches!(parser.peek(), TokenKind::Close(_)) {
+                return Err(parser.expected("an operator or `]` behind the number of an entry"));
+            }
+            Ok(index)
+        })?;
+        let span = list.span.to(self.advance().span);
+        Ok(Expression { kind: ExpressionKind::Entry(Box::new(list), Box::new(index)), span })
     }
 
     fn group_inside(&mut self, open: Token) -> Result<Expression, SyntaxError> {

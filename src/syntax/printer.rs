@@ -39,8 +39,11 @@ pub fn rational(value: &Rational, style: Style) -> String {
 /// A symbol: `t1`, or `t_{1}` and `\lambda`.
 #[must_use]
 pub fn symbol(symbol: Symbol, style: Style) -> String {
-    if style != Style::Latex {
-        return symbol.to_string();
+    match (symbol.radicand(), style) {
+        (Some(prime), Style::Latex) => return format!("\\sqrt{{{prime}}}"),
+        (Some(prime), Style::Mathematica) => return format!("Sqrt[{prime}]"),
+        (_, Style::Text | Style::Mathematica) => return symbol.to_string(),
+        (None, Style::Latex) => {}
     }
     let letter = latex::greek_name(symbol.letter()).map_or_else(|| symbol.letter().to_string(), |name| format!("\\{name}"));
     match symbol.index() {
@@ -62,6 +65,32 @@ fn power(base: Symbol, exponent: u32, style: Style) -> String {
 fn powers(factors: impl IntoIterator<Item = (Symbol, u32)>, style: Style) -> String {
     let factors: Vec<String> = factors.into_iter().map(|(base, exponent)| power(base, exponent, style)).collect();
     factors.join(" ")
+}
+
+/// A polynomial in roots of numbers and other symbols, the terms without roots
+/// first, and products of roots under one sign: `1/2 + 1/2 √5`.
+pub(crate) fn roots_last(value: &Polynomial, style: Style) -> String {
+    let mut terms: Vec<(Vec<u32>, Monomial, Rational)> = value
+        .terms()
+        .map(|(monomial, number)| {
+            let primes = monomial.factors().iter().filter_map(|(symbol, _)| symbol.radicand()).collect();
+            let rest = monomial.factors().iter().copied().filter(|(symbol, _)| symbol.radicand().is_none());
+            (primes, Monomial::from_factors(rest), number.clone())
+        })
+        .collect();
+    terms.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    let mut text = Terms::new(style);
+    for (primes, rest, number) in terms {
+        let radicand: num_bigint::BigUint = primes.iter().copied().map(num_bigint::BigUint::from).product();
+        let root = match (primes.is_empty(), style) {
+            (true, _) => String::new(),
+            (_, Style::Text) => format!("√{radicand}"),
+            (_, Style::Latex) => format!("\\sqrt{{{radicand}}}"),
+            (_, Style::Mathematica) => format!("Sqrt[{radicand}]"),
+        };
+        text.push_term(&number, &rest, &root);
+    }
+    text.finish()
 }
 
 /// A point: `(a, b)`, or `{a, b}` for Mathematica.

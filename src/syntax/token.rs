@@ -11,7 +11,7 @@ pub(crate) enum Bracket {
 }
 
 /// Comparisons of worksheets; no expression contains one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Comparison {
     Equal,
     NotEqual,
@@ -27,6 +27,8 @@ pub(crate) enum TokenKind {
     Number,
     /// One letter with its index.
     Symbol(Symbol),
+    /// A word of a worksheet: the name of a function, a class, an order.
+    Word(&'static str),
     /// A whole exponent in superscript digits; its text is in the source.
     Superscript,
     Plus,

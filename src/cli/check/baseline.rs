@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::files::{relative, shown};
+use crate::cli::files::{relative, shown};
 use crate::audit::Verdict;
 use crate::cli::diagnostic::Problem;
 use crate::cli::target::replace;
@@ -41,7 +41,7 @@ impl Baseline {
     /// Reads one.
     pub(super) fn read(path: &Path) -> Result<Self, Problem> {
         let wrong = |error: String| Problem::plain(format!("the baseline `{}`: {error}", path.display()));
-        let text = super::files::text(path).map_err(wrong)?;
+        let text = crate::cli::files::text(path).map_err(wrong)?;
         let document: Document = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
         if document.version != 1 {
             return Err(wrong(format!("version {} is not known, 1 is", document.version)));

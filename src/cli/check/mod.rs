@@ -2,7 +2,6 @@
 
 mod baseline;
 mod command;
-mod files;
 mod settings;
 
 use std::io::{self, IsTerminal, Write};
@@ -15,10 +14,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 use self::baseline::Baseline;
-use self::files::Candidate;
 use self::settings::{Demands, Settings};
 use super::diagnostic::Problem;
 use super::ending::Ending;
+use super::files::{self, Candidate};
 use super::flags::text_of;
 use super::tell;
 use crate::audit::{Tolerance, Verdict, audit};
@@ -48,7 +47,7 @@ fn run(matches: &ArgMatches, coloured: bool) -> Result<Ending, Problem> {
     let paths: Vec<String> = matches.get_many::<String>("paths").unwrap_or_default().cloned().collect();
     let from_input = paths.iter().any(|path| path == "-");
     let on_disk: Vec<String> = paths.into_iter().filter(|path| path != "-").collect();
-    let candidates = files::collect(&on_disk, |path| settings.excludes(path))?;
+    let candidates = files::collect(&on_disk, |path| Format::of_path(path).is_some() && !settings.excludes(path))?;
     let known = match text_of(matches, "baseline").map(|path| Path::new(path).to_owned()).or_else(|| settings.baseline.clone()) {
         Some(path) if text_of(matches, "write-baseline").is_none() => Some(Baseline::read(&path)?),
         _ => None,

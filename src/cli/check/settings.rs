@@ -121,7 +121,7 @@ impl Settings {
                 path
             }
         };
-        let text = super::files::text(&path).map_err(|error| Problem::plain(format!("cannot read `{}`: {error}", path.display())))?;
+        let text = crate::cli::files::text(&path).map_err(|error| Problem::plain(format!("cannot read `{}`: {error}", path.display())))?;
         let shown = given.map_or_else(|| NAME.to_owned(), str::to_owned);
         Self::read(&text, path.parent().unwrap_or(Path::new(""))).map_err(|(message, span)| match span {
             Some(span) => Problem::syntax(&shown, &text, SyntaxError::new(Span::new(span.start, span.end), message)),
@@ -149,7 +149,7 @@ impl Settings {
 
     /// A path as patterns see it: relative to the settings' folder.
     fn relative(&self, path: &Path) -> PathBuf {
-        super::files::relative(path, &self.folder)
+        crate::cli::files::relative(path, &self.folder)
     }
 
     /// Whether files found at this path are left out.

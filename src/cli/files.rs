@@ -1,12 +1,11 @@
-//! The files that a check looks at.
+//! The files that checkers look at.
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use ignore::WalkBuilder;
 
-use crate::cli::diagnostic::Problem;
-use crate::model::Format;
+use super::diagnostic::Problem;
 
 /// The most bytes of a file.
 const MAX_BYTES: u64 = 1 << 30;
@@ -42,9 +41,8 @@ pub(super) fn relative(path: &Path, folder: &Path) -> PathBuf {
 }
 
 /// The files that paths stand for, in order of their paths: of a folder all
-/// below it with an ending that says their format, what version control ignores
-/// left out.
-pub(super) fn collect(paths: &[String], excluded: impl Fn(&Path) -> bool) -> Result<Vec<Candidate>, Problem> {
+/// below it that are wanted, what version control ignores left out.
+pub(super) fn collect(paths: &[String], wanted: impl Fn(&Path) -> bool) -> Result<Vec<Candidate>, Problem> {
     let mut found = Vec::new();
     for path in paths {
         let path = Path::new(path);
@@ -56,7 +54,7 @@ pub(super) fn collect(paths: &[String], excluded: impl Fn(&Path) -> bool) -> Res
         for entry in WalkBuilder::new(path).sort_by_file_path(Path::cmp).build() {
             let entry = entry.map_err(|error| Problem::plain(format!("cannot read the folder: {error}")))?;
             let is_file = entry.file_type().is_some_and(|kind| kind.is_file());
-            if is_file && Format::of_path(entry.path()).is_some() && !excluded(entry.path()) {
+            if is_file && wanted(entry.path()) {
                 found.push(Candidate { path: entry.into_path(), named: false });
             }
         }
@@ -68,16 +66,26 @@ pub(super) fn collect(paths: &[String], excluded: impl Fn(&Path) -> bool) -> Res
 
 /// The text of a file.
 pub(super) fn text(path: &Path) -> Result<String, String> {
-    read(std::fs::File::open(path).map_err(|error| error.to_string())?)
+    text_within(path, MAX_BYTES)
+}
+
+/// The text of a file of at most so many bytes.
+pub(super) fn text_within(path: &Path, most: u64) -> Result<String, String> {
+    read_within(std::fs::File::open(path).map_err(|error| error.to_string())?, most)
 }
 
 /// The text that a reader gives, as far as it is not too long: what has no size
 /// beforehand may never end.
 pub(super) fn read(reader: impl Read) -> Result<String, String> {
+    read_within(reader, MAX_BYTES)
+}
+
+/// The same of at most so many bytes.
+pub(super) fn read_within(reader: impl Read, most: u64) -> Result<String, String> {
     let mut bytes = Vec::new();
-    reader.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(format!("the file is too long; at most {MAX_BYTES} bytes are read"));
+    reader.take(most.saturating_add(1)).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    if bytes.len() as u64 > most {
+        return Err(format!("the file is too long; at most {most} bytes are read"));
     }
     String::from_utf8(bytes)
         .map_err(|error| format!("not valid UTF-8: byte {} does not belong to any character", error.utf8_error().valid_up_to()))

@@ -1,0 +1,507 @@
+//! Checking a worksheet: statement by statement, every claim decided.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use super::claim::{Claim, Verdict};
+use super::compare::{Finding, compare};
+use super::document::{Block, Document, Format, head, statements};
+use super::evaluate::Evaluator;
+use super::function;
+use super::quantity::{Degrees, Map, Point, Quantity};
+use super::scope::{Component, Later, Scope};
+use crate::symbolic::Symbol;
+use crate::syntax::parser::{Named, Parser, Vocabulary};
+use crate::syntax::statement::{self, MapDefinition, Statement};
+use crate::syntax::{Span, SyntaxError};
+
+/// What a worksheet amounts to.
+#[derive(Clone, Debug, Default)]
+pub struct Report {
+    /// Every claim, in the order of the file.
+    pub claims: Vec<Claim>,
+    /// What could not be read or evaluated outside of claims.
+    pub errors: Vec<SyntaxError>,
+    /// What is allowed and yet hardly meant.
+    pub warnings: Vec<Warning>,
+    /// The definitions that were made, with their places.
+    pub(super) definitions: Vec<(Symbol, Quantity, Span)>,
+    /// What every statement was, for those who render the worksheet.
+    pub(super) statements: Vec<(Span, Outcome)>,
+}
+
+/// Something that is allowed and yet hardly meant.
+#[derive(Clone, Debug)]
+pub struct Warning {
+    /// The code of its rule, one of [`RULES`](super::RULES).
+    pub code: &'static str,
+    /// What and where.
+    pub error: SyntaxError,
+}
+
+/// What a statement was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// The definition with this number.
+    Definition(usize),
+    /// The claim with this number.
+    Claim(usize),
+    /// The error with this number.
+    Error(usize),
+}
+
+impl Report {
+    /// How many claims have a verdict.
+    #[must_use]
+    pub fn count(&self, verdict: Verdict) -> usize {
+        self.claims.iter().filter(|claim| claim.verdict == verdict).count()
+    }
+
+    /// Whether every claim holds and everything could be read.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.errors.is_empty() && self.claims.iter().all(|claim| claim.verdict == Verdict::Proved)
+    }
+}
+
+/// Checks a worksheet.
+///
+/// ```
+/// use casteljau::worksheet::{self, Format, Verdict};
+/// let report = worksheet::check("F(t) = (t, t^2)\nf(1,3) == (2, 3)\nf(1,3) == (2, 4)", Format::Statements);
+/// let verdicts: Vec<Verdict> = report.claims.iter().map(|claim| claim.verdict).collect();
+/// assert_eq!(verdicts, [Verdict::Proved, Verdict::Refuted]);
+/// ```
+#[must_use]
+pub fn check(source: &str, format: Format) -> Report {
+    let document = Document::new(source, format);
+    let mut checker = Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source) };
+    checker.report.errors = document.errors;
+    checker.report.warnings = document.warnings.into_iter().map(|error| Warning { code: "W103", error }).collect();
+    let parts: Vec<(String, Vec<Range<usize>>)> = document
+        .blocks
+        .iter()
+        .map(|block| {
+            let whole = || std::iter::once(0..block.text.len()).collect();
+            if block.is_formula { (block.text.clone(), whole()) } else { statements(&block.text) }
+        })
+        .collect();
+    for (block, (text, ranges)) in document.blocks.iter().zip(&parts) {
+        for range in ranges {
+            checker.announce(block, text, range);
+        }
+    }
+    for (block, (text, ranges)) in document.blocks.iter().zip(&parts) {
+        for range in ranges {
+            checker.part(block, text, range.clone());
+        }
+    }
+    checker.finish()
+}
+
+/// Where lines begin, so that places are found without counting from the start.
+struct LineTable(Vec<usize>);
+
+impl LineTable {
+    fn new(source: &str) -> Self {
+        Self(std::iter::once(0).chain(source.match_indices('\n').map(|(at, _)| at + 1)).collect())
+    }
+
+    fn line(&self, offset: usize) -> usize {
+        self.0.partition_point(|start| *start <= offset)
+    }
+
+    /// Line and column, both from 1; columns count characters.
+    fn position(&self, source: &str, offset: usize) -> (usize, usize) {
+        let line = self.line(offset);
+        let start = self.0.get(line.saturating_sub(1)).copied().unwrap_or(0);
+        let column = source.get(start..offset).map_or(0, |text| text.trim_start_matches('\u{feff}').chars().count());
+        (line, column + 1)
+    }
+}
+
+struct Checker<'s> {
+    source: &'s str,
+    scope: Scope,
+    report: Report,
+    lines: LineTable,
+}
+
+/// A part of a block, and how places in it are places in the file.
+struct Part<'b> {
+    block: &'b Block,
+    text: &'b str,
+    offset: usize,
+}
+
+impl Part<'_> {
+    fn span(&self, span: Span) -> Span {
+        self.block.in_file(Span::new(span.start + self.offset, span.end + self.offset))
+    }
+
+    fn error(&self, error: SyntaxError) -> SyntaxError {
+        SyntaxError { span: self.span(error.span), ..error }
+    }
+}
+
+impl Checker<'_> {
+    /// Notes the names that a part will define, for errors about using them too early.
+    fn announce(&mut self, block: &Block, text: &str, range: &Range<usize>) {
+        let mut lines: Vec<(usize, &str)> = Vec::new();
+        if block.is_formula {
+            let mut at = range.start;
+            for piece in text[range.clone()].split("\\\\").flat_map(|piece| piece.split("\\qquad")) {
+                lines.push((at, piece));
+                at += piece.len();
+            }
+        } else {
+            lines.push((range.start, &text[range.clone()]));
+        }
+        for (at, line) in lines {
+            let Some((name, body)) = head(line.trim_start()) else { continue };
+            let letters = letters_of(body);
+            let at = at + (line.len() - line.trim_start().len());
+            let line = self.lines.line(block.in_file(Span::new(at, at)).start);
+            let mut announce = |name: Symbol| {
+                self.scope.later.entry(name).or_insert_with(|| Later { line, letters: letters.clone() });
+            };
+            announce(name);
+            // A component announces its map.
+            if name.index().is_some() && name.letter().is_uppercase() {
+                announce(Symbol::new(name.letter(), None));
+            }
+        }
+    }
+
+    /// Reads and checks the statements of a part.
+    fn part(&mut self, block: &Block, text: &str, range: Range<usize>) {
+        let (name, skipped) = if block.is_formula { (None, 0) } else { claim_name(&text[range.clone()]) };
+        let name_span = name.map(|name| block.in_file(Span::new(range.start, range.start + name.len())));
+        let part = Part { block, text: &text[range.start + skipped..range.end], offset: range.start + skipped };
+        if let Err(error) = self.statements(&part, name, name_span) {
+            self.fail(&part, name, part.error(error));
+        }
+    }
+
+    /// An error in the place of a claim if the text is one, else by itself.
+    fn fail(&mut self, part: &Part<'_>, name: Option<&str>, error: SyntaxError) {
+        let is_claim = ["==", "!=", "<", ">"].iter().any(|sign| part.text.contains(sign)) && head(part.text).is_none();
+        if !is_claim {
+            self.report.statements.push((error.span, Outcome::Error(self.report.errors.len())));
+            self.report.errors.push(error);
+            return;
+        }
+        let start = part.text.len() - part.text.trim_start().len();
+        let span = part.span(Span::new(start, start + part.text.trim().len()));
+        let position = self.lines.position(self.source, span.start);
+        let mut claim = Claim::new(position, span, name);
+        claim.verdict = Verdict::Error;
+        claim.error = Some(error);
+        self.report.statements.push((span, Outcome::Claim(self.report.claims.len())));
+        self.report.claims.push(claim);
+    }
+
+    fn statements(&mut self, part: &Part<'_>, name: Option<&str>, name_span: Option<Span>) -> Result<(), SyntaxError> {
+        let formula = part.block.is_formula;
+        let mut at = 0;
+        // A definition changes what letters mean, so that every statement has a parser of its own.
+        loop {
+            let rest = &part.text[at..];
+            let sub = Part { block: part.block, text: rest, offset: part.offset + at };
+            let shift = |error: SyntaxError| SyntaxError { span: Span::new(error.span.start + at, error.span.end + at), ..error };
+            let scope = &self.scope;
+            let callee = |symbol: Symbol, several: bool| scope.callee(symbol, several).map(|callee| callee.named);
+            let vocabulary = Vocabulary { word: function::word, callee: &callee };
+            let mut parser = Parser::of_worksheet(rest, formula, vocabulary).map_err(shift)?;
+            let is_defined = |symbol: Symbol| scope.place_of(symbol).is_some() || callee_is_made(scope, symbol);
+            let statement = parser.statement(formula, &is_defined).map_err(shift)?;
+            let consumed = parser.token(0).span.start;
+            let is_last = parser.at_end();
+            match statement {
+                None => return Ok(()),
+                Some(statement) if !waiting_letters(&self.scope, &bodies(&statement)).is_empty() => {
+                    // The first use of a map completes it; then the statement is read again.
+                    for letter in waiting_letters(&self.scope, &bodies(&statement)) {
+                        if let Err(error) = self.scope.complete(letter) {
+                            self.report.errors.push(error);
+                            return Ok(());
+                        }
+                    }
+                    continue;
+                }
+                Some(Statement::Definition(definition)) => {
+                    if let Some(name) = name {
+                        let message = format!("found the name `{name}` before a definition, expected one before a claim");
+                        self.report.errors.push(SyntaxError::new(name_span.unwrap_or_default(), message));
+                        return Ok(());
+                    }
+                    let values = evaluate_definition(&self.scope, &mut parser, &definition).map_err(shift)?;
+                    self.define(&sub, &definition, values, formula).map_err(shift)?;
+                }
+                Some(Statement::Claim(claim)) => {
+                    let (line, column) = self.lines.position(self.source, sub.span(claim.span()).start);
+                    let found = decide(&self.scope, &mut parser, &claim, rest);
+                    self.record(&sub, &claim, name, (line, column), found);
+                }
+            }
+            if is_last {
+                return Ok(());
+            }
+            at += consumed;
+        }
+    }
+
+    fn record(
+        &mut self,
+        part: &Part<'_>,
+        claim: &statement::Claim,
+        name: Option<&str>,
+        position: (usize, usize),
+        found: Result<Decision, SyntaxError>,
+    ) {
+        let span = part.span(claim.span());
+        let mut record = Claim::new(position, span, name);
+        match found {
+            Ok(Decision::Holds { trivial }) => {
+                if let Some(side) = trivial {
+                    let message = "found the same on both sides, which holds whatever it is";
+                    self.report.warnings.push(Warning { code: "W102", error: SyntaxError::new(part.span(side), message) });
+                }
+            }
+            Ok(Decision::Fails(failure)) => {
+                record.verdict = Verdict::Refuted;
+                let failure = *failure;
+                (record.left, record.right) = (Some(failure.left), Some(failure.right));
+                record.difference = failure.difference;
+                record.terms = failure.terms;
+                record.diagnosis = failure.diagnosis;
+            }
+            Err(error) => {
+                record.verdict = Verdict::Error;
+                record.error = Some(part.error(error));
+            }
+        }
+        self.report.statements.push((span, Outcome::Claim(self.report.claims.len())));
+        self.report.claims.push(record);
+    }
+
+    fn define(&mut self, part: &Part<'_>, definition: &MapDefinition, value: Made, formula: bool) -> Result<(), SyntaxError> {
+        let (name, span) = (definition.definition.name, definition.definition.name_span);
+        if let Some(place) = self.scope.place_of(name) {
+            let line = self.lines.line(place.start);
+            let error = SyntaxError::new(span, format!("found a second definition of `{name}`, which line {line} defines"));
+            return Err(error.with_help("a name stands for one thing in a worksheet: take another letter or an index"));
+        }
+        let in_file = part.span(span);
+        let value = match value {
+            Made::Component(index, component) => {
+                self.scope.insert_component(name.letter(), index, Component { span: in_file, ..component });
+                Quantity::List(Vec::new())
+            }
+            Made::Value(value) => {
+                let callable = matches!(value, Quantity::Map(_) | Quantity::Net(_));
+                if callable && name.letter().is_lowercase() && !formula {
+                    let upper = name.letter().to_uppercase();
+                    let error = SyntaxError::new(span, format!("found a map named `{name}`, expected a capital letter"));
+                    return Err(error.with_help(format!("write `{upper}`; the small letter is then its polar form")));
+                }
+                self.scope.insert(name, value.clone(), in_file);
+                value
+            }
+        };
+        let whole = part.span(span.to(definition.definition.body.span));
+        self.report.statements.push((whole, Outcome::Definition(self.report.definitions.len())));
+        self.report.definitions.push((name, value, in_file));
+        Ok(())
+    }
+
+    fn finish(mut self) -> Report {
+        // Maps that nothing used are complete, or not, all the same.
+        for (symbol, span) in self.scope.unused() {
+            if self.scope.is_waiting(symbol.letter())
+                && let Err(error) = self.scope.complete(symbol.letter())
+            {
+                self.report.errors.push(error);
+            }
+            let error = SyntaxError::new(span, format!("found a definition of `{symbol}` that nothing uses"));
+            self.report.warnings.push(Warning { code: "W101", error });
+        }
+        self.report.warnings.sort_by_key(|warning| warning.error.span);
+        self.report
+    }
+}
+
+/// Whether a name in call position belongs to something that is defined, not just announced.
+fn callee_is_made(scope: &Scope, symbol: Symbol) -> bool {
+    scope.callee(symbol, false).is_some_and(|callee| scope.place_of(callee.base).is_some() && callee.named == Named::PolarForm)
+        || scope.place_of(symbol).is_some()
+}
+
+/// The letters in a text, each with its index.
+fn letters_of(text: &str) -> BTreeSet<Symbol> {
+    let mut letters = BTreeSet::new();
+    let mut rest = text;
+    while let Some(place) = rest.find(|c: char| Symbol::is_letter(c)) {
+        let letter = rest[place..].chars().next().unwrap_or('a');
+        rest = &rest[place + letter.len_utf8()..];
+        let digits_from = rest.strip_prefix('_').unwrap_or(rest);
+        let length = digits_from.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits_from.len());
+        letters.insert(Symbol::new(letter, digits_from[..length].parse().ok()));
+    }
+    letters
+}
+
+/// The name in front of a claim, and how many bytes it and its colon take.
+fn claim_name(text: &str) -> (Option<&str>, usize) {
+    let start = text.len() - text.trim_start().len();
+    let Some((name, rest)) = text.split_once(':') else { return (None, 0) };
+    let name = &name[start.min(name.len())..];
+    let fits = name.starts_with(|c: char| c.is_alphabetic()) && name.chars().all(|c| c.is_alphanumeric() || "-_.".contains(c));
+    if fits && rest.starts_with([' ', '\t']) { (Some(name), start + name.len() + 1) } else { (None, 0) }
+}
+
+/// What a definition makes.
+enum Made {
+    Value(Quantity),
+    Component(u32, Component),
+}
+
+/// The expressions of a statement.
+fn bodies(statement: &Statement) -> Vec<&crate::syntax::expression::Expression> {
+    match statement {
+        Statement::Claim(claim) => claim.sides.iter().collect(),
+        Statement::Definition(definition) => vec![&definition.definition.body],
+    }
+}
+
+/// The letters of the maps in expressions whose components still wait for others.
+fn waiting_letters(scope: &Scope, expressions: &[&crate::syntax::expression::Expression]) -> Vec<char> {
+    let mut letters = Vec::new();
+    let mut ahead = expressions.to_vec();
+    while let Some(expression) = ahead.pop() {
+        use crate::syntax::expression::{Callee, ExpressionKind};
+        let symbol = match &expression.kind {
+            ExpressionKind::Call(call) => match call.callee {
+                Callee::Name(symbol) => Some(symbol),
+                Callee::Function(_) => None,
+            },
+            ExpressionKind::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        };
+        let upper = symbol.and_then(|symbol| symbol.letter().to_uppercase().next());
+        letters.extend(upper.filter(|letter| scope.is_waiting(*letter) && !letters.contains(letter)));
+        ahead.extend(expression.parts());
+    }
+    letters
+}
+
+fn evaluate_definition(scope: &Scope, parser: &mut Parser<'_>, definition: &MapDefinition) -> Result<Made, SyntaxError> {
+    let head = &definition.definition;
+    let variables: Vec<Symbol> = head.arguments.iter().flatten().map(|entry| entry.0).collect();
+    if let Some((symbol, span)) = head.arguments.iter().flatten().find(|(symbol, _)| scope.get(*symbol).is_some()) {
+        let error = SyntaxError::new(*span, format!("found the variable `{symbol}`, which is a name already"));
+        return Err(error.with_help("take another letter for the variable or for the name"));
+    }
+    let evaluator = Evaluator { scope, variables: &variables, defining: Some(head.name), slip: None };
+    let value = evaluator.evaluate(parser, &head.body)?;
+    if head.arguments.is_none() {
+        if let Some(extra) = definition.degree.first().or(definition.weight.as_ref()) {
+            let message = "found a degree or weight behind a definition without variables, expected one behind `F(t) = …`";
+            return Err(SyntaxError::new(extra.span, message));
+        }
+        return Ok(Made::Value(value));
+    }
+    if variables.is_empty() || variables.len() > 2 {
+        let message = format!("found {} variables, expected one of a curve or two of a surface", variables.len());
+        return Err(SyntaxError::new(head.name_span, message));
+    }
+    let components = match value {
+        Quantity::Number(value) => vec![value],
+        Quantity::Point(Point { coordinates, weight: None }) => coordinates,
+        Quantity::Map(map) if map.weight.is_none() => map.components,
+        other => {
+            let message = format!("found {} as the body of a map, expected a polynomial or a point of polynomials", other.kind());
+            return Err(SyntaxError::new(head.body.span, message));
+        }
+    };
+    let is_component = head.name.index().is_some_and(|index| index > 0)
+        && components.len() == 1
+        && head.name.letter().is_uppercase()
+        && definition.degree.is_empty()
+        && definition.weight.is_none();
+    if is_component {
+        if let Some(first) = scope.component(head.name.letter(), 1).filter(|first| first.variables != variables) {
+            let list = |symbols: &[Symbol]| symbols.iter().map(Symbol::to_string).collect::<Vec<_>>().join(",");
+            let message = format!("found a component in `{}`, expected one in `{}` as the first", list(&variables), list(&first.variables));
+            return Err(SyntaxError::new(head.name_span, message));
+        }
+        let body = components.into_iter().next().unwrap_or_default();
+        return Ok(Made::Component(head.name.index().unwrap_or(1), Component { body, variables, span: head.name_span }));
+    }
+    let weight = definition.weight.as_ref().map(|weight| evaluator.polynomial(parser, weight)).transpose()?;
+    let degrees = definition.degree.iter().map(|degree| evaluator.count(parser, degree)).collect::<Result<Vec<usize>, _>>()?;
+    let degrees = match (variables.len(), degrees.as_slice()) {
+        (_, []) => Degrees::default(),
+        (_, &[degree]) => Degrees { total: Some(degree), pair: None },
+        (2, &[p, q]) => Degrees { total: None, pair: Some((p, q)) },
+        _ => {
+            let span = definition.degree[0].span;
+            return Err(SyntaxError::new(span, "found two degrees of a curve, expected `degree` and one number"));
+        }
+    };
+    let map = Map { components, variables, degrees, weight };
+    let span = definition.degree.first().map_or(head.body.span, |degree| degree.span);
+    // The degree that is asked for must do, and the map must be within the limits.
+    map.own_degrees().map_err(super::evaluate::at(span))?;
+    Ok(Made::Value(Quantity::Map(map)))
+}
+
+/// What became of a claim.
+enum Decision {
+    /// It holds; perhaps because both sides are written alike.
+    Holds {
+        trivial: Option<Span>,
+    },
+    Fails(Box<Failure>),
+}
+
+/// Why a claim fails.
+struct Failure {
+    left: String,
+    right: String,
+    difference: Option<String>,
+    terms: Vec<super::claim::Term>,
+    diagnosis: Option<String>,
+}
+
+fn decide(scope: &Scope, parser: &mut Parser<'_>, claim: &statement::Claim, source: &str) -> Result<Decision, SyntaxError> {
+    let evaluator = Evaluator { scope, variables: &[], defining: None, slip: None };
+    let values = claim.sides.iter().map(|side| evaluator.evaluate(parser, side)).collect::<Result<Vec<_>, _>>()?;
+    let mut trivial = None;
+    for (index, comparison) in claim.comparisons.iter().enumerate() {
+        let (left, right) = (&values[index], &values[index + 1]);
+        match compare(left, *comparison, right) {
+            Finding::Holds => {
+                let written = |side: &crate::syntax::expression::Expression| side.span.text(source).split_whitespace().collect::<String>();
+                let (a, b) = (&claim.sides[index], &claim.sides[index + 1]);
+                if written(a) == written(b) {
+                    trivial = Some(a.span.to(b.span));
+                }
+            }
+            Finding::Mismatch(message) => {
+                let span = claim.sides[index].span.to(claim.sides[index + 1].span);
+                return Err(SyntaxError::new(span, message));
+            }
+            Finding::Fails(difference) => {
+                return Ok(Decision::Fails(Box::new(Failure {
+                    left: left.shown(crate::syntax::Style::Text),
+                    right: right.shown(crate::syntax::Style::Text),
+                    difference: difference.shown(),
+                    terms: super::claim::Term::of(&difference),
+                    diagnosis: None,
+                })));
+            }
+        }
+    }
+    Ok(Decision::Holds { trivial })
+}

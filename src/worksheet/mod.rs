@@ -1,0 +1,25 @@
+//! Worksheets: hand calculations that check themselves.
+//!
+//! A worksheet is Markdown with fenced `casteljau` blocks, or a file of
+//! statements alone. Its definitions and claims are read by the grammar of
+//! [`syntax`](crate::syntax), evaluated by the table of operations
+//! ([`ops`](crate::ops)), and compared exactly; a claim with symbolic
+//! parameters is proved for all their values.
+
+mod check;
+mod claim;
+mod compare;
+mod document;
+mod evaluate;
+mod function;
+mod quantity;
+mod request;
+mod rules;
+mod scope;
+mod slip;
+
+pub use check::{Report, Warning, check};
+pub use claim::{Claim, Term, Verdict};
+pub use document::{Format, MAX_WORKSHEET_BYTES};
+pub use rules::RULES;
+pub(crate) use rules::rule;
