@@ -52,6 +52,20 @@ impl<C: Coefficient> PolarForm<C> {
         self.reading
     }
 
+    /// What the polar form would be if each coefficient of the map were divided
+    /// by another number than the one of the products that share it: `count` of
+    /// the exponents, for each group of arguments the weight's first, and of that number.
+    pub(crate) fn divided_otherwise(&self, count: impl Fn(&[usize], &Rational) -> Rational) -> Self {
+        let right = multinomials::<Rational>(&self.reading.shape(1));
+        let factors = self.reading.exponents().into_iter().zip(right).map(|(exponents, right)| {
+            let factor = right.checked_div(&count(&exponents, &right)).unwrap_or_default();
+            C::from(factor)
+        });
+        let vectors = self.coefficients.chunks_exact(self.dimension).zip(factors);
+        let coefficients = vectors.flat_map(|(vector, factor)| vector.iter().map(move |c| c.times(&factor))).collect();
+        Self { coefficients, ..*self }
+    }
+
     /// The number of arguments.
     #[must_use]
     pub fn degree(&self) -> usize {

@@ -45,3 +45,126 @@ fn every_worksheet_of_the_project_holds() {
     }
     assert!(claims > 500, "only {claims} claims");
 }
+
+/// What is said of the one claim of a worksheet that fails.
+fn diagnosis(source: &str) -> String {
+    let report = check(source, Format::Statements);
+    assert!(report.errors.is_empty(), "{source}: {:?}", report.errors);
+    let mut failed = report.claims.iter().filter(|claim| claim.verdict.name() != "proved");
+    let claim = failed.next().unwrap_or_else(|| panic!("nothing fails in {source}"));
+    assert!(failed.next().is_none(), "more than one claim fails in {source}");
+    assert_eq!(claim.verdict.name(), "refuted", "{source}: {:?}", claim.error);
+    claim.diagnosis.clone().unwrap_or_default()
+}
+
+const CUBIC: &str = "F(t) = (3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)\n";
+const ENNEPER: &str = "S(u,v) = (u - u^3/3 + u v^2, v - v^3/3 + u^2 v, u^2 - v^2)\n";
+const ARC: &str = "A = curve([(1,0):1, (1,1):1, (0,1):2], 0..1)\nG(t) = (1 - t^2, 2t) weight 1 + t^2\n";
+
+/// Every usual mistake, one by one: the claim, and what its diagnosis says.
+#[test]
+fn mistakes_are_recognised() {
+    for (definitions, claim, expected) in [
+        // A missing 1/C(m,k) of a curve: in one coordinate, in a value, in a net.
+        (
+            CUBIC,
+            "f(t1,t2,t3) == (3/4 (t1 t2 + t1 t3 + t2 t3) - 1/2 (t1 + t2 + t3) - 9/4, 3/4 t1 t2 t3 - 1/2 (t1 t2 + t1 t3 + t2 t3) - 3/4 (t1 + t2 + t3))",
+            "coordinate 1: 1/C(3,2) = 1/3 is missing: t^2 becomes the sum of 3 products",
+        ),
+        (
+            CUBIC,
+            "f(t1,t2,t3) == (3/4 (t1 t2 + t1 t3 + t2 t3) - 3/2 (t1 + t2 + t3) - 9/4, 3/4 t1 t2 t3 - 3/2 (t1 t2 + t1 t3 + t2 t3) - 9/4 (t1 + t2 + t3))",
+            "1/C(m,k) is missing everywhere",
+        ),
+        ("Q(t) = t^2 + t\n", "q(1, 3) == 3 + 4", "1/C(2,1) = 1/2 is missing: t becomes the sum of 2 products"),
+        ("Q(t) = (t, t^2)\n", "points(Q, 0..1) == [(0, 0), (1, 0), (2, 1)]", "1/C(2,1) = 1/2 is missing: t becomes"),
+        // Another number: C(4,2) for C(3,2), 2! for the multinomial.
+        ("Q(t) = t^3 + 6 t^2\n", "q(t1,t2,t3) == t1 t2 t3 + t1 t2 + t1 t3 + t2 t3", "t^2 is divided by 6: it has 3 products of arguments"),
+        // A missing multinomial, and one for C(p,h) C(q,k).
+        (
+            "X(u,v) = u v^2\n",
+            "x((u1,v1),(u2,v2),(u3,v3)) == u1 v2 v3 + u2 v1 v3 + u3 v1 v2",
+            "the multinomial 1/(3!/(1! 2! 0!)) = 1/3 is missing",
+        ),
+        ("X(u,v) = u v degree 2\n", "x((u1,v1),(u2,v2)) == 1/4 (u1 v2 + u2 v1)", "divided by C(m,h) C(m,k)"),
+        (
+            "X(u,v) = u v + u^2 v^2\n",
+            "x(u1,u2; v1,v2) == 1/12 (u1 + u2)(v1 + v2) + u1 u2 v1 v2 / 6",
+            "multinomials, which belong to the polar form by the total degree",
+        ),
+        ("X(u,v) = u v + u^2 v^2\n", "x(u1,u2; v1,v2) == 1/2 (u1 + u2)(v1 + v2) + u1 u2 v1 v2", "is missing"),
+        (ENNEPER, "s((1,0),(1,0),(0,1)) == (2/3, 0, 1/3)", ""),
+        // A quadratic coordinate of a cubic polarized at 2.
+        ("F(t) = (t^2, t^3)\n", "f(t1,t2,t3) == (t1 t2, t1 t2 t3)", "polarized at its own degree"),
+        ("F(t) = (t^2, t^3)\n", "f(1,2,3) == (2, 6)", "polarized at its own degree"),
+        // r and s exchanged.
+        (CUBIC, "f(-1,-1,3) == (-4, -12)", "r and s are exchanged"),
+        ("F(t) = (t, t^2 + t)\n", "points(F, 0..2) == [(2, 6), (1, 1), (0, 0)]", "r and s are exchanged"),
+        // Nets in another order.
+        ("K = curve([(0,0), (1,5), (2,7)], 0..1)\n", "points(K) == [(2,7), (1,5), (0,0)]", "reverse order"),
+        (
+            ENNEPER,
+            "points(S, (1,0), (0,1), (0,0)) == [[(0,0,0), (0,1/3,0), (0,2/3,-1/3), (0,2/3,-1)], [(1/3,0,0), (1/3,1/3,0), (2/3,2/3,-1/3)], [(2/3,0,1/3), (2/3,2/3,1/3)], [(2/3,0,1)]]",
+            "",
+        ),
+        ("X(u,v) = u^2 + 2 v\n", "points(X, (1,0), (0,1), (0,0)) == [[0, 0, 1], [1, 1], [2]]", "the order of the vertices"),
+        ("X(u,v) = u^2 + 2 v\n", "points(X, (1,0), (0,1), (0,0)) == [[1], [0, 1], [0, 1, 2]]", "from the other side"),
+        ("X(u,v) = u^2 v\n", "points(X, 0..2, 0..1) == [[0, 0, 0], [0, 0, 4]]", "transposed"),
+        ("X(u,v) = u + 2 v\n", "points(X, 0..1, 0..1) == [[1, 3], [0, 2]]", "reversed in u"),
+        // A sign of κ23 or κ31.
+        ("F(t) = (t^2, t^3 + a t)\n", "kappa31(F) == a", ""),
+        ("F(t) = (t^3, t^2 + t)\n", "kappa31(F) == -1", "the sign of κ31 is wrong"),
+        ("F(t) = (t^2 + t, t^3 - t)\n", "kappa23(F) == -1", "the sign of κ23 is wrong"),
+        ("F(t) = (t^2, t^3 - t)\n", "discriminant(F) == -4", ""),
+        ("F(t) = (t^2 - t, t^3)\n", "summittime(F) == -1/2", ""),
+        // Weights forgotten, or the division by them.
+        (ARC, "A(1/2) == (3/4, 3/4)", "the weights are forgotten"),
+        (ARC, "G(1/2) == (3/4, 1)", ""),
+        (ARC, "points(G, 0..1) == [(1,0), (1,1), (0,1)]", ""),
+        (ARC, "A(1/2) == (3/4, 1)", "the division by the weight"),
+        // A decimal in the place of a fraction.
+        ("", "1/3 == 0.33", "the decimal 0.33 stands for the fraction 1/3"),
+        ("F(t) = (t, t^2/3)\n", "F(2) == (2, 1.333)", "the decimal 1.333 stands for the fraction 4/3"),
+        ("F(t) = (t/3, t^2/3)\n", "F(2) == (0.67, 1.333)", "0.67 for 2/3, 1.333 for 4/3"),
+        // Two values exchanged, a wrong sign, a factor.
+        ("F(t) = (t, t^3)\n", "points(F, 0..3) == [(0,0), (2,0), (1,0), (3,27)]", "the entries [1] and [2] are exchanged"),
+        ("F(t) = (t, t^2 + 1)\n", "F(2) == (5, 2)", "the coordinates 1 and 2 are exchanged"),
+        ("", "(t + 2)^2 == t^2 + 4 + 4 t^2 - 4 t^2 + 4 t + 1 - 1 + 2 t - 2 t + s - s", ""),
+        ("", "(2 t + 3)^2 == 4 t^2 + 9 t + 12", "each other's coefficients"),
+        ("", "(t - 2)^2 == t^2 + 4 t + 4", "the sign of `4 t` is wrong"),
+        (CUBIC, "f(-1,-1,3) == (4, 4)", "the sign of `4` is wrong"),
+        ("", "(t + 1)^2 == 2 t^2 + 4 t + 2", "the right side is 2 times the left side"),
+    ] {
+        if expected.is_empty() {
+            continue;
+        }
+        let source = format!("{definitions}{claim}");
+        let found = diagnosis(&source);
+        assert!(found.contains(expected), "{claim}\n  expected {expected}\n  found {found:?}");
+    }
+}
+
+/// A claimed polar form that is none, told apart by the axioms.
+#[test]
+fn wrong_polar_forms_are_told_apart() {
+    for (claim, expected) in [
+        ("f(t1,t2) == t1 t2 + t1", "not symmetric: exchanging t1 and t2 changes it"),
+        ("f(a1,a2) == a1^2/2 + a2^2/2 + (a1 + a2)/2", "not affine in a1: its degree in it is 2"),
+        ("f(t1,t2) == t1 t2 + t1 + t2", "wrong on the diagonal: with equal arguments it is off by t"),
+    ] {
+        let found = diagnosis(&format!("F(t) = t^2 + t\n{claim}"));
+        assert!(found.contains(expected), "{claim}: {found:?}");
+    }
+    let found = diagnosis("S(u,v) = (u v, u)\ns((u1,v1),(u2,v2)) == (u1 v2, (u1 + u2)/2)");
+    assert!(found.contains("coordinate 1 of the claimed form is not symmetric: exchanging (u1,v1) and (u2,v2)"), "{found}");
+}
+
+/// Nothing is diagnosed that would not make the claim true.
+#[test]
+fn what_is_just_wrong_is_not_explained() {
+    for source in
+        ["F(t) = (t, t^2)\nF(2) == (2, 5)", "1/3 == 0.4", "K = curve([(0,0), (1,5), (2,7)], 0..1)\npoints(K) == [(0,0), (1,5), (2,8)]"]
+    {
+        assert_eq!(diagnosis(source), "", "{source}");
+    }
+}

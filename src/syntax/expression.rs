@@ -135,6 +135,28 @@ impl Expression {
         }
     }
 
+    /// The same expression with parts of it replaced, wherever `rule` has something for them.
+    pub(crate) fn rewritten(&self, rule: &mut dyn FnMut(&Self) -> Option<Self>) -> Self {
+        if let Some(other) = rule(self) {
+            return other;
+        }
+        let mut pairs = |parts: &[(bool, Self)]| parts.iter().map(|(flag, part)| (*flag, part.rewritten(rule))).collect::<Vec<_>>();
+        let kind = match &self.kind {
+            ExpressionKind::Sum(parts) => ExpressionKind::Sum(pairs(parts)),
+            ExpressionKind::Product(parts) => ExpressionKind::Product(pairs(parts)),
+            ExpressionKind::Power(a, b) => ExpressionKind::Power(Box::new(a.rewritten(rule)), Box::new(b.rewritten(rule))),
+            ExpressionKind::Entry(a, b) => ExpressionKind::Entry(Box::new(a.rewritten(rule)), Box::new(b.rewritten(rule))),
+            ExpressionKind::Weighted(a, b) => ExpressionKind::Weighted(Box::new(a.rewritten(rule)), Box::new(b.rewritten(rule))),
+            ExpressionKind::Root(part) => ExpressionKind::Root(Box::new(part.rewritten(rule))),
+            ExpressionKind::Group(part) => ExpressionKind::Group(Box::new(part.rewritten(rule))),
+            ExpressionKind::Tuple(parts) => ExpressionKind::Tuple(parts.iter().map(|part| part.rewritten(rule)).collect()),
+            ExpressionKind::List(parts) => ExpressionKind::List(parts.iter().map(|part| part.rewritten(rule)).collect()),
+            // What stands in the brackets of a call stays as it is.
+            other => other.clone(),
+        };
+        Self { kind, span: self.span }
+    }
+
     /// Whether the expression is a sum, product or power with a power outside brackets.
     pub(crate) fn has_bare_power(&self) -> bool {
         match &self.kind {

@@ -67,7 +67,8 @@ impl Parser<'_> {
     /// Reads the next statement; `None` at the end. In formulas, `=` claims
     /// where `is_defined` says that the left side is a name in use.
     pub(crate) fn statement(&mut self, formula: bool, is_defined: &dyn Fn(Symbol) -> bool) -> Result<Option<Statement>, SyntaxError> {
-        self.set_definitions(true);
+        // In a formula line ends and the like separate; `x \kappa = 0` is one claim.
+        self.set_definitions(!formula);
         self.set_lines(formula);
         while self.take(TokenKind::Comma) {}
         if self.at_end() {

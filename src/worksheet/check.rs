@@ -5,14 +5,17 @@ use std::ops::Range;
 
 use super::claim::{Claim, Verdict};
 use super::compare::{Finding, compare};
+use super::diagnosis::{Case, diagnose};
 use super::document::{Block, Document, Format, head, statements};
 use super::evaluate::Evaluator;
 use super::function;
 use super::quantity::{Degrees, Map, Point, Quantity};
 use super::scope::{Component, Later, Scope};
+use super::suggest::{misspelt_call, suggested};
 use crate::symbolic::Symbol;
 use crate::syntax::parser::{Named, Parser, Vocabulary};
 use crate::syntax::statement::{self, MapDefinition, Statement};
+use crate::syntax::token::Comparison;
 use crate::syntax::{Span, SyntaxError};
 
 /// What a worksheet amounts to.
@@ -178,8 +181,9 @@ impl Checker<'_> {
         let (name, skipped) = if block.is_formula { (None, 0) } else { claim_name(&text[range.clone()]) };
         let name_span = name.map(|name| block.in_file(Span::new(range.start, range.start + name.len())));
         let part = Part { block, text: &text[range.start + skipped..range.end], offset: range.start + skipped };
-        if let Err(error) = self.statements(&part, name, name_span) {
-            self.fail(&part, name, part.error(error));
+        let checked = misspelt_call(part.text).and_then(|()| self.statements(&part, name, name_span));
+        if let Err(error) = checked {
+            self.fail(&part, name, part.error(suggested(error, part.text)));
         }
     }
 
@@ -211,7 +215,7 @@ impl Checker<'_> {
             let shift = |error: SyntaxError| SyntaxError { span: Span::new(error.span.start + at, error.span.end + at), ..error };
             let scope = &self.scope;
             let callee = |symbol: Symbol, several: bool| scope.callee(symbol, several).map(|callee| callee.named);
-            let vocabulary = Vocabulary { word: function::word, callee: &callee };
+            let vocabulary = Vocabulary { word: function::known_word, callee: &callee };
             let mut parser = Parser::of_worksheet(rest, formula, vocabulary).map_err(shift)?;
             let is_defined = |symbol: Symbol| scope.place_of(symbol).is_some() || callee_is_made(scope, symbol);
             let statement = parser.statement(formula, &is_defined).map_err(shift)?;
@@ -240,7 +244,7 @@ impl Checker<'_> {
                 }
                 Some(Statement::Claim(claim)) => {
                     let (line, column) = self.lines.position(self.source, sub.span(claim.span()).start);
-                    let found = decide(&self.scope, &mut parser, &claim, rest);
+                    let found = decide(&self.scope, &mut parser, &claim, rest).map_err(|error| suggested(error, rest));
                     self.record(&sub, &claim, name, (line, column), found);
                 }
             }
@@ -456,6 +460,33 @@ fn evaluate_definition(scope: &Scope, parser: &mut Parser<'_>, definition: &MapD
     Ok(Made::Value(Quantity::Map(map)))
 }
 
+/// A letter in front of a bracket that may have been meant as a name.
+fn called_letter(scope: &Scope, claim: &statement::Claim, source: &str) -> Option<String> {
+    let text = claim.span().text(source);
+    let mut before = ' ';
+    for (at, c) in text.char_indices() {
+        let starts = Symbol::is_letter(c) && !Symbol::is_letter(before) && before != '_' && before != '\\';
+        before = c;
+        if !starts {
+            continue;
+        }
+        let behind = text[at + c.len_utf8()..].trim_start_matches(|digit: char| digit == '_' || digit.is_ascii_digit());
+        let symbol = Symbol::new(c, None);
+        if !behind.starts_with('(') || scope.callee(symbol, true).is_some() || scope.get(symbol).is_some() {
+            continue;
+        }
+        let capital = c.to_uppercase().next().map(|upper| Symbol::new(upper, None));
+        let later = capital.and_then(|capital| scope.later.get(&capital).map(|later| (capital, later.line)));
+        if let Some((capital, line)) = later.filter(|(capital, _)| scope.get(*capital).is_none()) {
+            return Some(format!("`{c}(` multiplies here, because `{capital}` is defined only in line {line}: move the definition up"));
+        }
+        if c.is_ascii_uppercase() {
+            return Some(format!("`{c}(` multiplies here, because no map or net `{c}` is defined"));
+        }
+    }
+    None
+}
+
 /// What became of a claim.
 enum Decision {
     /// It holds; perhaps because both sides are written alike.
@@ -498,7 +529,13 @@ fn decide(scope: &Scope, parser: &mut Parser<'_>, claim: &statement::Claim, sour
                     right: right.shown(crate::syntax::Style::Text),
                     difference: difference.shown(),
                     terms: super::claim::Term::of(&difference),
-                    diagnosis: None,
+                    diagnosis: (*comparison == Comparison::Equal)
+                        .then(|| {
+                            let case = Case { scope, source, left: (&claim.sides[index], left), right: (&claim.sides[index + 1], right) };
+                            diagnose(&case, parser)
+                        })
+                        .flatten()
+                        .or_else(|| called_letter(scope, claim, source)),
                 })));
             }
         }

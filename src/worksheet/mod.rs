@@ -9,6 +9,7 @@
 mod check;
 mod claim;
 mod compare;
+mod diagnosis;
 mod document;
 mod evaluate;
 mod function;
@@ -17,6 +18,7 @@ mod request;
 mod rules;
 mod scope;
 mod slip;
+mod suggest;
 
 pub use check::{Report, Warning, check};
 pub use claim::{Claim, Term, Verdict};

@@ -204,6 +204,15 @@ fn in_symbols<C: Coefficient>(piece: &Piece<C>) -> Result<Piece<Polynomial>, Err
     let points: Vec<Vec<Polynomial>> =
         piece.points().map(|point| point.iter().map(|x| Into::<Polynomial>::into(x.clone()).with_simple_roots()).collect()).collect();
     let frame = piece.frame().map(&mut |number: &C| Ok::<Polynomial, Error>(number.clone().into()))?;
+    over(piece, points, frame)
+}
+
+/// A piece of the same kind and frame with other points.
+pub(super) fn with_points(piece: &Piece<Polynomial>, points: Vec<Vec<Polynomial>>) -> Result<Piece<Polynomial>, Error> {
+    over(piece, points, piece.frame())
+}
+
+fn over<C: Coefficient>(piece: &Piece<C>, points: Vec<Vec<Polynomial>>, frame: Frame<Polynomial>) -> Result<Piece<Polynomial>, Error> {
     Ok(match (piece, frame) {
         (_, Frame::Interval(frame)) => Piece::Curve(Segment::from_points(points, frame)?),
         (_, Frame::Triangle(frame)) => Piece::Triangle(TriangularPatch::from_points(points, frame)?),

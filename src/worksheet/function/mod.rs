@@ -8,6 +8,7 @@ mod operand;
 mod polar;
 mod scheme;
 
+pub(super) use net::net_of;
 pub(super) use operand::{Operand, Operands};
 pub(super) use polar::with_letters;
 
@@ -103,11 +104,10 @@ const WORDS: &[&str] = &[
 ];
 
 /// The word of worksheets that a text is, if it is one.
-pub(super) fn word(text: &str) -> Option<&'static str> {
+pub(super) fn known_word(text: &str) -> Option<&'static str> {
     use std::collections::HashSet;
     use std::sync::LazyLock;
-    static ALL: LazyLock<HashSet<&'static str>> =
-        LazyLock::new(|| functions().map(|function| function.name).chain(WORDS.iter().copied()).collect());
+    static ALL: LazyLock<HashSet<&'static str>> = LazyLock::new(|| all_words().collect());
     // Every word is longer than a letter with its index mostly is.
     if text.len() < 3 { None } else { ALL.get(text).copied() }
 }
@@ -131,9 +131,9 @@ pub(super) fn signature(name: &str) -> &'static str {
     functions().find(|function| function.name == name).and_then(|function| function.signatures.first()).copied().unwrap_or("")
 }
 
-/// The names of all functions.
-pub(super) fn names() -> impl Iterator<Item = &'static str> {
-    functions().map(|function| function.name)
+/// All words.
+pub(super) fn all_words() -> impl Iterator<Item = &'static str> {
+    functions().map(|function| function.name).chain(WORDS.iter().copied())
 }
 
 /// The value of a function.

@@ -151,7 +151,7 @@ fn spline(_: &Evaluator<'_>, operands: &Operands<'_>) -> Outcome {
 }
 
 /// The net of a map over a frame.
-pub(super) fn net_of(map: &Map, frame: &Frame<Polynomial>) -> Result<Quantity, Error> {
+pub(in crate::worksheet) fn net_of(map: &Map, frame: &Frame<Polynomial>) -> Result<Quantity, Error> {
     let weighted = map.weight.is_some();
     let (request, name, value) = match frame {
         Frame::Interval(_) => (Request::new("curve.points", Domain::Curve), "curve", Value::Curve(map.curve()?)),
