@@ -168,3 +168,89 @@ fn what_is_just_wrong_is_not_explained() {
         assert_eq!(diagnosis(source), "", "{source}");
     }
 }
+
+/// The right side of a claim with one thing changed, in all ways: each literal
+/// that is not zero made larger by one, each sign turned around.
+fn mutants(claim: &str) -> Vec<String> {
+    let Some((left, right)) = claim.split_once("==").or_else(|| claim.split_once('=')) else { return Vec::new() };
+    let sign = if claim.contains("==") { "==" } else { "=" };
+    let mut mutants = Vec::new();
+    let bytes = right.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        let before = right[..at].chars().next_back().unwrap_or(' ');
+        let is_index = before.is_alphabetic() || before == '_' || right[..at].ends_with("_{");
+        if bytes[at].is_ascii_digit() {
+            let length = right[at..].find(|c: char| !(c.is_ascii_digit())).unwrap_or(right.len() - at);
+            let number = &right[at..at + length];
+            let value: u64 = number.parse().expect("a literal of a textbook");
+            if value > 0 && !is_index {
+                mutants.push(format!("{left}{sign}{}{}{}", &right[..at], value + 1, &right[at + length..]));
+            }
+            at += length;
+            continue;
+        }
+        // A name of a claim or of a word may contain digits and hyphens, but not on the right.
+        if matches!(bytes[at], b'+' | b'-') {
+            let other = if bytes[at] == b'+' { '-' } else { '+' };
+            let behind = right[at + 1..].trim_start();
+            let is_zero = behind.starts_with('0') && !behind[1..].starts_with(|c: char| c.is_ascii_digit() || c == '.');
+            if !is_zero {
+                mutants.push(format!("{left}{sign}{}{other}{}", &right[..at], &right[at + 1..]));
+            }
+        }
+        at += right[at..].chars().next().map_or(1, char::len_utf8);
+    }
+    mutants
+}
+
+/// Each mutation of a right worksheet is refuted, or an error, on its line.
+#[test]
+fn every_mutation_is_refuted() {
+    let (mut total, mut survivors) = (0, Vec::new());
+    for path in textbooks() {
+        let (text, whole) = report(&path);
+        // All mutants of a claim go below it, where the same names are defined.
+        let mut mutated = String::new();
+        let mut expected = Vec::new();
+        let mut copied = 0;
+        for claim in &whole.claims {
+            let source = claim.span.text(&text);
+            if ["!=", "<", ">", "\\neq", "\\le", "\\ge"].iter().any(|sign| source.contains(sign)) {
+                continue;
+            }
+            // A formula gets a block of its own, below the one it stands in.
+            let is_formula = !source.contains("==");
+            let end = if is_formula {
+                text[claim.span.end..].find("$$").map_or(text.len(), |length| claim.span.end + length)
+            } else {
+                claim.span.end
+            };
+            let line_end = text[end..].find('\n').map_or(text.len(), |length| end + length);
+            mutated.push_str(&text[copied.min(line_end)..line_end]);
+            copied = copied.max(line_end);
+            for mutant in mutants(source) {
+                mutated.push_str(if is_formula { "\n\n<!-- casteljau -->\n$$\n" } else { "\n" });
+                expected.push((mutated.matches('\n').count() + 1, mutant.clone()));
+                mutated.push_str(&mutant);
+                if is_formula {
+                    mutated.push_str("\n$$\n");
+                }
+            }
+        }
+        mutated.push_str(&text[copied..]);
+        let report = check(&mutated, Format::of_path(&path.to_string_lossy()));
+        let proved: std::collections::HashSet<usize> =
+            report.claims.iter().filter(|claim| claim.verdict.name() == "proved").map(|claim| claim.line).collect();
+        let failed: std::collections::HashSet<usize> =
+            report.claims.iter().filter(|claim| claim.verdict.name() != "proved").map(|claim| claim.line).collect();
+        total += expected.len();
+        for (line, mutant) in expected {
+            if proved.contains(&line) || !failed.contains(&line) {
+                survivors.push(format!("{}: {mutant}", path.file_name().unwrap_or_default().to_string_lossy()));
+            }
+        }
+    }
+    assert!(survivors.is_empty(), "{} of {total} survive:\n{}", survivors.len(), survivors.join("\n"));
+    assert!(total > 3000, "only {total} mutations");
+}

@@ -78,7 +78,7 @@ impl Report {
 #[must_use]
 pub fn check(source: &str, format: Format) -> Report {
     let document = Document::new(source, format);
-    let mut checker = Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source) };
+    let mut checker = Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source), diagnoses: 0 };
     checker.report.errors = document.errors;
     checker.report.warnings = document.warnings.into_iter().map(|error| Warning { code: "W103", error }).collect();
     let parts: Vec<(String, Vec<Range<usize>>)> = document
@@ -128,6 +128,8 @@ struct Checker<'s> {
     scope: Scope,
     report: Report,
     lines: LineTable,
+    /// How many failed claims there were.
+    diagnoses: usize,
 }
 
 /// A part of a block, and how places in it are places in the file.
@@ -244,7 +246,8 @@ impl Checker<'_> {
                 }
                 Some(Statement::Claim(claim)) => {
                     let (line, column) = self.lines.position(self.source, sub.span(claim.span()).start);
-                    let found = decide(&self.scope, &mut parser, &claim, rest).map_err(|error| suggested(error, rest));
+                    let explains = self.diagnoses < MAX_DIAGNOSES;
+                    let found = decide(&self.scope, &mut parser, &claim, rest, explains).map_err(|error| suggested(error, rest));
                     self.record(&sub, &claim, name, (line, column), found);
                 }
             }
@@ -274,6 +277,7 @@ impl Checker<'_> {
             }
             Ok(Decision::Fails(failure)) => {
                 record.verdict = Verdict::Refuted;
+                self.diagnoses += 1;
                 let failure = *failure;
                 (record.left, record.right) = (Some(failure.left), Some(failure.right));
                 record.difference = failure.difference;
@@ -505,7 +509,10 @@ struct Failure {
     diagnosis: Option<String>,
 }
 
-fn decide(scope: &Scope, parser: &mut Parser<'_>, claim: &statement::Claim, source: &str) -> Result<Decision, SyntaxError> {
+/// The most failed claims of a worksheet that are explained: of more, the first ones say enough.
+const MAX_DIAGNOSES: usize = 64;
+
+fn decide(scope: &Scope, parser: &mut Parser<'_>, claim: &statement::Claim, source: &str, explains: bool) -> Result<Decision, SyntaxError> {
     let evaluator = Evaluator { scope, variables: &[], defining: None, slip: None };
     let values = claim.sides.iter().map(|side| evaluator.evaluate(parser, side)).collect::<Result<Vec<_>, _>>()?;
     let mut trivial = None;
@@ -529,7 +536,7 @@ fn decide(scope: &Scope, parser: &mut Parser<'_>, claim: &statement::Claim, sour
                     right: right.shown(crate::syntax::Style::Text),
                     difference: difference.shown(),
                     terms: super::claim::Term::of(&difference),
-                    diagnosis: (*comparison == Comparison::Equal)
+                    diagnosis: (explains && *comparison == Comparison::Equal)
                         .then(|| {
                             let case = Case { scope, source, left: (&claim.sides[index], left), right: (&claim.sides[index + 1], right) };
                             diagnose(&case, parser)
