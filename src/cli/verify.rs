@@ -45,6 +45,12 @@ pub(super) fn command() -> Command {
                 .help("How to print the verdicts"),
         )
         .arg(Arg::new("output").short('o').long("output").value_name("FILE").help("Write the verdicts to a file"))
+        .arg(
+            Arg::new("html")
+                .long("html")
+                .value_name("FOLDER")
+                .help("Also write the worksheets as pages, with formulas, verdicts and pictures"),
+        )
         .arg(Arg::new("allow-empty").long("allow-empty").action(ArgAction::SetTrue).help("Exit with 0 where there are no claims"))
         .arg(Arg::new("quiet").short('q').long("quiet").action(ArgAction::SetTrue).help("No warnings and no summary"))
         .arg(super::command::color())
@@ -84,6 +90,9 @@ pub(super) fn verify(matches: &ArgMatches, coloured: bool) -> Result<Ending, Pro
         Some(path) => files::replace(Path::new(path), &output)?,
         None => super::print(&output)?,
     }
+    if let Some(folder) = text_of(matches, "html") {
+        pages(Path::new(folder), &checked)?;
+    }
     if text_of(matches, "format").is_some_and(|format| format == "text") {
         obstacles.iter().for_each(|obstacle| tell(&format!("{}: {}", obstacle.path, obstacle.flaw.message)));
     }
@@ -117,6 +126,38 @@ fn write(matches: &ArgMatches, checked: &[Checked], obstacles: &[Obstacle], colo
             Ok(())
         }
     }
+}
+
+/// Writes the worksheets as pages, and a page that leads to them if there are several.
+fn pages(folder: &Path, checked: &[Checked]) -> Result<(), Problem> {
+    let failed = |path: &Path, error: io::Error| Problem::plain(format!("cannot write `{}`: {error}", path.display()));
+    std::fs::create_dir_all(folder).map_err(|error| failed(folder, error))?;
+    let mut index = Vec::new();
+    let mut taken = Vec::new();
+    for file in checked {
+        // What leads out of the folder stays behind.
+        let parts = Path::new(&file.path).components().filter_map(|part| match part {
+            std::path::Component::Normal(name) => Some(name.to_string_lossy()),
+            _ => None,
+        });
+        let parts: Vec<_> = parts.collect();
+        let stem = |name: &str| name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned();
+        let mut name = parts.last().map_or_else(|| "worksheet".to_owned(), |last| stem(last));
+        if taken.contains(&name) || name == "index" {
+            name = stem(&parts.join("-"));
+        }
+        while taken.contains(&name) {
+            name.push('-');
+        }
+        let page = worksheet::html(&file.path, &file.text, Format::of_path(&file.path));
+        files::replace(&folder.join(format!("{name}.html")), page.as_bytes())?;
+        index.push((format!("{name}.html"), file.path.clone(), summary(&file.report), file.report.holds()));
+        taken.push(name);
+    }
+    if index.len() > 1 {
+        files::replace(&folder.join("index.html"), worksheet::html_index(&index).as_bytes())?;
+    }
+    Ok(())
 }
 
 fn place(file: &Checked, error: &SyntaxError) -> Place {

@@ -4,68 +4,20 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use super::claim::{Claim, Verdict};
-use super::compare::{Finding, compare};
-use super::diagnosis::{Case, diagnose};
+use super::decision::{Decision, decide, picture_of};
+use super::definition::{self, Made};
 use super::document::{Block, Document, Format, head, statements};
-use super::evaluate::Evaluator;
 use super::function;
-use super::quantity::{Degrees, Map, Point, Quantity};
+use super::quantity::Quantity;
+use super::report::{Outcome, Picture, Rendered, Report, Warning};
 use super::scope::{Component, Later, Scope};
 use super::suggest::{misspelt_call, suggested};
+use super::typeset;
 use crate::symbolic::Symbol;
+use crate::syntax::expression::{Callee, Expression, ExpressionKind};
 use crate::syntax::parser::{Named, Parser, Vocabulary};
 use crate::syntax::statement::{self, MapDefinition, Statement};
-use crate::syntax::token::Comparison;
 use crate::syntax::{Span, SyntaxError};
-
-/// What a worksheet amounts to.
-#[derive(Clone, Debug, Default)]
-pub struct Report {
-    /// Every claim, in the order of the file.
-    pub claims: Vec<Claim>,
-    /// What could not be read or evaluated outside of claims.
-    pub errors: Vec<SyntaxError>,
-    /// What is allowed and yet hardly meant.
-    pub warnings: Vec<Warning>,
-    /// The definitions that were made, with their places.
-    pub(super) definitions: Vec<(Symbol, Quantity, Span)>,
-    /// What every statement was, for those who render the worksheet.
-    pub(super) statements: Vec<(Span, Outcome)>,
-}
-
-/// Something that is allowed and yet hardly meant.
-#[derive(Clone, Debug)]
-pub struct Warning {
-    /// The code of its rule, one of [`RULES`](super::RULES).
-    pub code: &'static str,
-    /// What and where.
-    pub error: SyntaxError,
-}
-
-/// What a statement was.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
-    /// The definition with this number.
-    Definition(usize),
-    /// The claim with this number.
-    Claim(usize),
-    /// The error with this number.
-    Error(usize),
-}
-
-impl Report {
-    /// How many claims have a verdict.
-    #[must_use]
-    pub fn count(&self, verdict: Verdict) -> usize {
-        self.claims.iter().filter(|claim| claim.verdict == verdict).count()
-    }
-
-    /// Whether every claim holds and everything could be read.
-    #[must_use]
-    pub fn holds(&self) -> bool {
-        self.errors.is_empty() && self.claims.iter().all(|claim| claim.verdict == Verdict::Proved)
-    }
-}
 
 /// Checks a worksheet.
 ///
@@ -77,8 +29,18 @@ impl Report {
 /// ```
 #[must_use]
 pub fn check(source: &str, format: Format) -> Report {
+    checked(source, format, false)
+}
+
+/// The same, with all that a page shows.
+pub(super) fn check_for_rendering(source: &str, format: Format) -> Report {
+    checked(source, format, true)
+}
+
+fn checked(source: &str, format: Format, renders: bool) -> Report {
     let document = Document::new(source, format);
-    let mut checker = Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source), diagnoses: 0 };
+    let mut checker =
+        Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source), diagnoses: 0, renders };
     checker.report.errors = document.errors;
     checker.report.warnings = document.warnings.into_iter().map(|error| Warning { code: "W103", error }).collect();
     let parts: Vec<(String, Vec<Range<usize>>)> = document
@@ -123,6 +85,9 @@ impl LineTable {
     }
 }
 
+/// The most failed claims of a worksheet that are explained: of more, the first ones say enough.
+const MAX_DIAGNOSES: usize = 64;
+
 struct Checker<'s> {
     source: &'s str,
     scope: Scope,
@@ -130,6 +95,8 @@ struct Checker<'s> {
     lines: LineTable,
     /// How many failed claims there were.
     diagnoses: usize,
+    /// Whether the worksheet is rendered too.
+    renders: bool,
 }
 
 /// A part of a block, and how places in it are places in the file.
@@ -193,7 +160,7 @@ impl Checker<'_> {
     fn fail(&mut self, part: &Part<'_>, name: Option<&str>, error: SyntaxError) {
         let is_claim = ["==", "!=", "<", ">"].iter().any(|sign| part.text.contains(sign)) && head(part.text).is_none();
         if !is_claim {
-            self.report.statements.push((error.span, Outcome::Error(self.report.errors.len())));
+            self.render(error.span, Outcome::Error(self.report.errors.len()), None, None);
             self.report.errors.push(error);
             return;
         }
@@ -203,7 +170,7 @@ impl Checker<'_> {
         let mut claim = Claim::new(position, span, name);
         claim.verdict = Verdict::Error;
         claim.error = Some(error);
-        self.report.statements.push((span, Outcome::Claim(self.report.claims.len())));
+        self.render(span, Outcome::Claim(self.report.claims.len()), None, None);
         self.report.claims.push(claim);
     }
 
@@ -241,14 +208,19 @@ impl Checker<'_> {
                         self.report.errors.push(SyntaxError::new(name_span.unwrap_or_default(), message));
                         return Ok(());
                     }
-                    let values = evaluate_definition(&self.scope, &mut parser, &definition).map_err(shift)?;
-                    self.define(&sub, &definition, values, formula).map_err(shift)?;
+                    let values = definition::made(&self.scope, &mut parser, &definition).map_err(shift)?;
+                    let latex = self.renders.then(|| typeset::definition(&definition, rest));
+                    self.define(&sub, &definition, values, formula, latex).map_err(shift)?;
                 }
                 Some(Statement::Claim(claim)) => {
                     let (line, column) = self.lines.position(self.source, sub.span(claim.span()).start);
                     let explains = self.diagnoses < MAX_DIAGNOSES;
                     let found = decide(&self.scope, &mut parser, &claim, rest, explains).map_err(|error| suggested(error, rest));
-                    self.record(&sub, &claim, name, (line, column), found);
+                    let (latex, picture) = match self.renders {
+                        true => (Some(typeset::claim(&claim, rest)), picture_of(&self.scope, &mut parser, &claim)),
+                        false => (None, None),
+                    };
+                    self.record(&sub, &claim, name, (line, column), found, (latex, picture));
                 }
             }
             if is_last {
@@ -265,6 +237,7 @@ impl Checker<'_> {
         name: Option<&str>,
         position: (usize, usize),
         found: Result<Decision, SyntaxError>,
+        (latex, picture): (Option<String>, Option<Picture>),
     ) {
         let span = part.span(claim.span());
         let mut record = Claim::new(position, span, name);
@@ -289,11 +262,18 @@ impl Checker<'_> {
                 record.error = Some(part.error(error));
             }
         }
-        self.report.statements.push((span, Outcome::Claim(self.report.claims.len())));
+        self.render(span, Outcome::Claim(self.report.claims.len()), latex, picture);
         self.report.claims.push(record);
     }
 
-    fn define(&mut self, part: &Part<'_>, definition: &MapDefinition, value: Made, formula: bool) -> Result<(), SyntaxError> {
+    fn define(
+        &mut self,
+        part: &Part<'_>,
+        definition: &MapDefinition,
+        value: Made,
+        formula: bool,
+        latex: Option<String>,
+    ) -> Result<(), SyntaxError> {
         let (name, span) = (definition.definition.name, definition.definition.name_span);
         if let Some(place) = self.scope.place_of(name) {
             let line = self.lines.line(place.start);
@@ -318,9 +298,20 @@ impl Checker<'_> {
             }
         };
         let whole = part.span(span.to(definition.definition.body.span));
-        self.report.statements.push((whole, Outcome::Definition(self.report.definitions.len())));
+        let picture = match &value {
+            Quantity::Net(net) if self.renders => Some(Picture { net: net.clone(), at: None, label: name.to_string() }),
+            _ => None,
+        };
+        self.render(whole, Outcome::Definition(self.report.definitions.len()), latex, picture);
         self.report.definitions.push((name, value, in_file));
         Ok(())
+    }
+
+    /// Keeps a statement for those who render the worksheet.
+    fn render(&mut self, span: Span, outcome: Outcome, latex: Option<String>, picture: Option<Picture>) {
+        if self.renders {
+            self.report.statements.push(Rendered { span, outcome, latex, picture });
+        }
     }
 
     fn finish(mut self) -> Report {
@@ -368,14 +359,8 @@ fn claim_name(text: &str) -> (Option<&str>, usize) {
     if fits && rest.starts_with([' ', '\t']) { (Some(name), start + name.len() + 1) } else { (None, 0) }
 }
 
-/// What a definition makes.
-enum Made {
-    Value(Quantity),
-    Component(u32, Component),
-}
-
 /// The expressions of a statement.
-fn bodies(statement: &Statement) -> Vec<&crate::syntax::expression::Expression> {
+fn bodies(statement: &Statement) -> Vec<&Expression> {
     match statement {
         Statement::Claim(claim) => claim.sides.iter().collect(),
         Statement::Definition(definition) => vec![&definition.definition.body],
@@ -383,11 +368,10 @@ fn bodies(statement: &Statement) -> Vec<&crate::syntax::expression::Expression> 
 }
 
 /// The letters of the maps in expressions whose components still wait for others.
-fn waiting_letters(scope: &Scope, expressions: &[&crate::syntax::expression::Expression]) -> Vec<char> {
+fn waiting_letters(scope: &Scope, expressions: &[&Expression]) -> Vec<char> {
     let mut letters = Vec::new();
     let mut ahead = expressions.to_vec();
     while let Some(expression) = ahead.pop() {
-        use crate::syntax::expression::{Callee, ExpressionKind};
         let symbol = match &expression.kind {
             ExpressionKind::Call(call) => match call.callee {
                 Callee::Name(symbol) => Some(symbol),
@@ -401,151 +385,4 @@ fn waiting_letters(scope: &Scope, expressions: &[&crate::syntax::expression::Exp
         ahead.extend(expression.parts());
     }
     letters
-}
-
-fn evaluate_definition(scope: &Scope, parser: &mut Parser<'_>, definition: &MapDefinition) -> Result<Made, SyntaxError> {
-    let head = &definition.definition;
-    let variables: Vec<Symbol> = head.arguments.iter().flatten().map(|entry| entry.0).collect();
-    if let Some((symbol, span)) = head.arguments.iter().flatten().find(|(symbol, _)| scope.get(*symbol).is_some()) {
-        let error = SyntaxError::new(*span, format!("found the variable `{symbol}`, which is a name already"));
-        return Err(error.with_help("take another letter for the variable or for the name"));
-    }
-    let evaluator = Evaluator { scope, variables: &variables, defining: Some(head.name), slip: None };
-    let value = evaluator.evaluate(parser, &head.body)?;
-    if head.arguments.is_none() {
-        if let Some(extra) = definition.degree.first().or(definition.weight.as_ref()) {
-            let message = "found a degree or weight behind a definition without variables, expected one behind `F(t) = …`";
-            return Err(SyntaxError::new(extra.span, message));
-        }
-        return Ok(Made::Value(value));
-    }
-    if variables.is_empty() || variables.len() > 2 {
-        let message = format!("found {} variables, expected one of a curve or two of a surface", variables.len());
-        return Err(SyntaxError::new(head.name_span, message));
-    }
-    let components = match value {
-        Quantity::Number(value) => vec![value],
-        Quantity::Point(Point { coordinates, weight: None }) => coordinates,
-        Quantity::Map(map) if map.weight.is_none() => map.components,
-        other => {
-            let message = format!("found {} as the body of a map, expected a polynomial or a point of polynomials", other.kind());
-            return Err(SyntaxError::new(head.body.span, message));
-        }
-    };
-    let is_component = head.name.index().is_some_and(|index| index > 0)
-        && components.len() == 1
-        && head.name.letter().is_uppercase()
-        && definition.degree.is_empty()
-        && definition.weight.is_none();
-    if is_component {
-        if let Some(first) = scope.component(head.name.letter(), 1).filter(|first| first.variables != variables) {
-            let list = |symbols: &[Symbol]| symbols.iter().map(Symbol::to_string).collect::<Vec<_>>().join(",");
-            let message = format!("found a component in `{}`, expected one in `{}` as the first", list(&variables), list(&first.variables));
-            return Err(SyntaxError::new(head.name_span, message));
-        }
-        let body = components.into_iter().next().unwrap_or_default();
-        return Ok(Made::Component(head.name.index().unwrap_or(1), Component { body, variables, span: head.name_span }));
-    }
-    let weight = definition.weight.as_ref().map(|weight| evaluator.polynomial(parser, weight)).transpose()?;
-    let degrees = definition.degree.iter().map(|degree| evaluator.count(parser, degree)).collect::<Result<Vec<usize>, _>>()?;
-    let degrees = match (variables.len(), degrees.as_slice()) {
-        (_, []) => Degrees::default(),
-        (_, &[degree]) => Degrees { total: Some(degree), pair: None },
-        (2, &[p, q]) => Degrees { total: None, pair: Some((p, q)) },
-        _ => {
-            let span = definition.degree[0].span;
-            return Err(SyntaxError::new(span, "found two degrees of a curve, expected `degree` and one number"));
-        }
-    };
-    let map = Map { components, variables, degrees, weight };
-    let span = definition.degree.first().map_or(head.body.span, |degree| degree.span);
-    // The degree that is asked for must do, and the map must be within the limits.
-    map.own_degrees().map_err(super::evaluate::at(span))?;
-    Ok(Made::Value(Quantity::Map(map)))
-}
-
-/// A letter in front of a bracket that may have been meant as a name.
-fn called_letter(scope: &Scope, claim: &statement::Claim, source: &str) -> Option<String> {
-    let text = claim.span().text(source);
-    let mut before = ' ';
-    for (at, c) in text.char_indices() {
-        let starts = Symbol::is_letter(c) && !Symbol::is_letter(before) && before != '_' && before != '\\';
-        before = c;
-        if !starts {
-            continue;
-        }
-        let behind = text[at + c.len_utf8()..].trim_start_matches(|digit: char| digit == '_' || digit.is_ascii_digit());
-        let symbol = Symbol::new(c, None);
-        if !behind.starts_with('(') || scope.callee(symbol, true).is_some() || scope.get(symbol).is_some() {
-            continue;
-        }
-        let capital = c.to_uppercase().next().map(|upper| Symbol::new(upper, None));
-        let later = capital.and_then(|capital| scope.later.get(&capital).map(|later| (capital, later.line)));
-        if let Some((capital, line)) = later.filter(|(capital, _)| scope.get(*capital).is_none()) {
-            return Some(format!("`{c}(` multiplies here, because `{capital}` is defined only in line {line}: move the definition up"));
-        }
-        if c.is_ascii_uppercase() {
-            return Some(format!("`{c}(` multiplies here, because no map or net `{c}` is defined"));
-        }
-    }
-    None
-}
-
-/// What became of a claim.
-enum Decision {
-    /// It holds; perhaps because both sides are written alike.
-    Holds {
-        trivial: Option<Span>,
-    },
-    Fails(Box<Failure>),
-}
-
-/// Why a claim fails.
-struct Failure {
-    left: String,
-    right: String,
-    difference: Option<String>,
-    terms: Vec<super::claim::Term>,
-    diagnosis: Option<String>,
-}
-
-/// The most failed claims of a worksheet that are explained: of more, the first ones say enough.
-const MAX_DIAGNOSES: usize = 64;
-
-fn decide(scope: &Scope, parser: &mut Parser<'_>, claim: &statement::Claim, source: &str, explains: bool) -> Result<Decision, SyntaxError> {
-    let evaluator = Evaluator { scope, variables: &[], defining: None, slip: None };
-    let values = claim.sides.iter().map(|side| evaluator.evaluate(parser, side)).collect::<Result<Vec<_>, _>>()?;
-    let mut trivial = None;
-    for (index, comparison) in claim.comparisons.iter().enumerate() {
-        let (left, right) = (&values[index], &values[index + 1]);
-        match compare(left, *comparison, right) {
-            Finding::Holds => {
-                let written = |side: &crate::syntax::expression::Expression| side.span.text(source).split_whitespace().collect::<String>();
-                let (a, b) = (&claim.sides[index], &claim.sides[index + 1]);
-                if written(a) == written(b) {
-                    trivial = Some(a.span.to(b.span));
-                }
-            }
-            Finding::Mismatch(message) => {
-                let span = claim.sides[index].span.to(claim.sides[index + 1].span);
-                return Err(SyntaxError::new(span, message));
-            }
-            Finding::Fails(difference) => {
-                return Ok(Decision::Fails(Box::new(Failure {
-                    left: left.shown(crate::syntax::Style::Text),
-                    right: right.shown(crate::syntax::Style::Text),
-                    difference: difference.shown(),
-                    terms: super::claim::Term::of(&difference),
-                    diagnosis: (explains && *comparison == Comparison::Equal)
-                        .then(|| {
-                            let case = Case { scope, source, left: (&claim.sides[index], left), right: (&claim.sides[index + 1], right) };
-                            diagnose(&case, parser)
-                        })
-                        .flatten()
-                        .or_else(|| called_letter(scope, claim, source)),
-                })));
-            }
-        }
-    }
-    Ok(Decision::Holds { trivial })
 }

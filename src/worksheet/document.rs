@@ -234,6 +234,22 @@ fn extent(text: &str, start: usize, across_lines: bool) -> (usize, bool) {
     }
 }
 
+/// The comments of a block of lines, with their places.
+pub(super) fn comments(text: &str) -> Vec<(usize, &str)> {
+    let mut at = 0;
+    let mut found = Vec::new();
+    for line in text.split_inclusive('\n') {
+        if let Some(place) = line.find('#') {
+            let comment = line[place..].trim_start_matches('#').trim();
+            if !comment.is_empty() {
+                found.push((at + place, comment));
+            }
+        }
+        at += line.len();
+    }
+    found
+}
+
 /// Whether a line begins with a name and `=`.
 fn begins_definition(text: &str) -> bool {
     let line = text.lines().next().unwrap_or("");

@@ -228,7 +228,12 @@ impl Evaluator<'_> {
         Ok(Quantity::Map(map))
     }
 
-    fn operands(&self, parser: &mut Parser<'_>, arguments: &[Argument], words: &[&'static str]) -> Result<Vec<Operand>, SyntaxError> {
+    pub(super) fn operands(
+        &self,
+        parser: &mut Parser<'_>,
+        arguments: &[Argument],
+        words: &[&'static str],
+    ) -> Result<Vec<Operand>, SyntaxError> {
         let mut operands = Vec::with_capacity(arguments.len());
         for argument in arguments {
             let span = argument.span();

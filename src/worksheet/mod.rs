@@ -9,19 +9,27 @@
 mod check;
 mod claim;
 mod compare;
+mod decision;
+mod definition;
 mod diagnosis;
 mod document;
 mod evaluate;
 mod function;
+mod html;
 mod quantity;
+mod report;
 mod request;
 mod rules;
 mod scope;
 mod slip;
 mod suggest;
+mod typeset;
 
-pub use check::{Report, Warning, check};
+pub use check::check;
 pub use claim::{Claim, Term, Verdict};
 pub use document::{Format, MAX_WORKSHEET_BYTES};
+pub use html::html;
+pub(crate) use html::index as html_index;
+pub use report::{Report, Warning};
 pub use rules::RULES;
 pub(crate) use rules::rule;

@@ -4,12 +4,16 @@ use crate::affine::Frame;
 use crate::continuity::Continuity;
 use crate::curve::Curve;
 use crate::error::Error;
+use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::{Equation, Piece};
 use crate::reading::Reading;
+use crate::rectangular::RectangularPatch;
+use crate::segment::Segment;
 use crate::surface::{Surface, Term};
 use crate::symbolic::{Polynomial, Symbol};
 use crate::syntax::{Style, printer};
+use crate::triangular::TriangularPatch;
 
 /// A value.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,7 +127,7 @@ impl Quantity {
 
     /// A whole number.
     pub(super) fn count(count: usize) -> Self {
-        Self::Number(Polynomial::from(crate::exact::Rational::from(count as i64)))
+        Self::Number(Polynomial::from(Rational::from(count as i64)))
     }
 
     /// Yes or no.
@@ -164,6 +168,14 @@ impl Quantity {
             Self::Word(word) => (*word).to_owned(),
         }
     }
+}
+
+/// A number that must be rational.
+pub(super) fn rational(value: &Polynomial) -> Result<Rational, Error> {
+    value.as_rational().ok_or_else(|| match value.symbols().iter().find(|symbol| symbol.radicand().is_none()) {
+        Some(symbol) => Error::Unsupported(format!("this needs numbers, found the symbolic parameter `{symbol}`")),
+        None => Error::Unsupported("this needs rational numbers, found roots".into()),
+    })
 }
 
 /// A number or polynomial; numbers with roots begin with their rational part.
@@ -303,6 +315,20 @@ impl Net {
     pub(super) fn map(&self) -> Result<Map, Error> {
         let equation = self.piece.equation()?;
         Ok(Map::of(&equation, &usual_variables(&equation), self.weighted))
+    }
+
+    /// The net with rational numbers.
+    pub(super) fn numeric(&self) -> Result<Piece, Error> {
+        let points = self.piece.points().map(|point| point.iter().map(rational).collect());
+        let points: Vec<Vec<Rational>> = points.collect::<Result<_, _>>()?;
+        Ok(match (&self.piece, self.frame().map(&mut rational)?) {
+            (_, Frame::Interval(frame)) => Piece::Curve(Segment::from_points(points, frame)?),
+            (_, Frame::Triangle(frame)) => Piece::Triangle(TriangularPatch::from_points(points, frame)?),
+            (Piece::Rectangle(patch), Frame::Rectangle(frame)) => {
+                Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, frame)?)
+            }
+            _ => return Err(Error::WrongShape("a piece over a rectangle is a rectangular one".into())),
+        })
     }
 
     /// The frame.

@@ -9,7 +9,7 @@ use crate::kernel::coefficient::Coefficient;
 use crate::symbolic::Polynomial;
 use crate::value::{Domain, Value};
 use crate::worksheet::evaluate::Evaluator;
-use crate::worksheet::quantity::Quantity;
+use crate::worksheet::quantity::{Quantity, rational};
 use crate::worksheet::request::{Request, surd};
 use crate::worksheet::slip::Slip;
 
@@ -52,16 +52,7 @@ pub(super) const FUNCTIONS: &[Function] = &[
 /// The curve with numbers only.
 fn numeric(operands: &Operands<'_>, index: usize) -> Result<Curve, Fault> {
     let curve = operands.polynomial_curve(index)?.curve()?;
-    let numeric = curve.map(&mut |value: &Polynomial| {
-        value.as_rational().ok_or_else(|| {
-            let symbols = value.symbols();
-            match symbols.iter().find(|symbol| symbol.radicand().is_none()) {
-                Some(symbol) => Error::Unsupported(format!("this needs numbers, found the symbolic parameter `{symbol}`")),
-                None => Error::Unsupported("this needs rational numbers, found roots".into()),
-            }
-        })
-    });
-    Ok(numeric?)
+    Ok(curve.map(&mut rational)?)
 }
 
 fn invariant(evaluator: &Evaluator<'_>, operands: &Operands<'_>, read: fn(&Invariants<Polynomial>) -> Polynomial) -> Outcome {

@@ -12,7 +12,7 @@ use crate::surface::Surface;
 use crate::symbolic::{Monomial, Polynomial, Symbol};
 use crate::value::{Domain, Value};
 use crate::worksheet::evaluate::Evaluator;
-use crate::worksheet::quantity::Quantity;
+use crate::worksheet::quantity::{Quantity, rational};
 use crate::worksheet::request::{Request, surd};
 
 pub(super) const FUNCTIONS: &[Function] = &[
@@ -26,14 +26,6 @@ pub(super) const FUNCTIONS: &[Function] = &[
     Function { name: "box", signatures: &["box(K)"], run: bounding_box },
     Function { name: "roots", signatures: &["roots(K)"], run: roots },
 ];
-
-/// A number, which must be rational.
-fn rational(value: &Polynomial) -> Result<Rational, Error> {
-    value.as_rational().ok_or_else(|| match value.symbols().iter().find(|symbol| symbol.radicand().is_none()) {
-        Some(symbol) => Error::Unsupported(format!("this needs numbers, found the symbolic parameter `{symbol}`")),
-        None => Error::Unsupported("this needs rational numbers, found roots".into()),
-    })
-}
 
 fn curve(operands: &Operands<'_>) -> Result<Curve, Fault> {
     Ok(operands.polynomial_curve(0)?.curve()?.map(&mut rational)?)

@@ -1,7 +1,6 @@
 //! How smoothly two shapes join.
 
 use super::{Fault, Function, Operands, Outcome};
-use crate::affine::Frame;
 use crate::continuity::{
     Continuity, continuity_of_curves, continuity_of_rational_curves, continuity_of_rational_surfaces, continuity_of_surfaces,
 };
@@ -10,36 +9,12 @@ use crate::exact::Rational;
 use crate::geometric::{geometric_join, tangent_plane_join};
 use crate::joint::Joint;
 use crate::piece::{Equation, Piece};
-use crate::rectangular::RectangularPatch;
-use crate::segment::Segment;
-use crate::symbolic::Polynomial;
 use crate::triangular::TriangularPatch;
 use crate::worksheet::evaluate::Evaluator;
-use crate::worksheet::quantity::{Map, Net, Order, Quantity};
+use crate::worksheet::quantity::{Map, Order, Quantity, rational};
 
 pub(super) const FUNCTIONS: &[Function] =
     &[Function { name: "join", signatures: &["join(K, L)", "join(F, G, t)", "join(S, X, (u,v), (u,v))"], run: join }];
-
-fn rational(value: &Polynomial) -> Result<Rational, Error> {
-    value.as_rational().ok_or_else(|| {
-        let symbol = value.symbols().first().map_or_else(String::new, ToString::to_string);
-        Error::Unsupported(format!("a join needs rational numbers, found `{symbol}`"))
-    })
-}
-
-/// A net with rational numbers.
-fn numeric(net: &Net) -> Result<Piece, Error> {
-    let points: Vec<Vec<Rational>> = net.piece.points().map(|point| point.iter().map(rational).collect()).collect::<Result<_, _>>()?;
-    let frame = net.frame().map(&mut rational)?;
-    Ok(match (&net.piece, frame) {
-        (_, Frame::Interval(frame)) => Piece::Curve(Segment::from_points(points, frame)?),
-        (_, Frame::Triangle(frame)) => Piece::Triangle(TriangularPatch::from_points(points, frame)?),
-        (Piece::Rectangle(patch), Frame::Rectangle(frame)) => {
-            Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, frame)?)
-        }
-        _ => return Err(Error::WrongShape("a piece over a rectangle is a rectangular one".into())),
-    })
-}
 
 fn equation(map: &Map) -> Result<Equation, Error> {
     Ok(if map.variables.len() == 1 {
@@ -56,7 +31,7 @@ fn join(_: &Evaluator<'_>, operands: &Operands<'_>) -> Outcome {
             return Err(operands
                 .wrong(1, "found a net with weights and one without, expected two of a kind: give both some, 1 where there is none"));
         }
-        let pieces = [numeric(first)?, numeric(second)?];
+        let pieces = [first.numeric()?, second.numeric()?];
         let joint = Joint::between(&pieces[0], &pieces[1]).ok_or_else(|| {
             let frames = format!("{} and {}", pieces[0].frame(), pieces[1].frame());
             operands.wrong(1, format!("found the frames {frames}, expected two that share one end or one edge"))
