@@ -160,7 +160,7 @@ impl Checker<'_> {
     fn fail(&mut self, part: &Part<'_>, name: Option<&str>, error: SyntaxError) {
         let is_claim = ["==", "!=", "<", ">"].iter().any(|sign| part.text.contains(sign)) && head(part.text).is_none();
         if !is_claim {
-            self.render(error.span, Outcome::Error(self.report.errors.len()), None, None);
+            self.render(error.span, Outcome::Error(self.report.errors.len()), Vec::new(), None);
             self.report.errors.push(error);
             return;
         }
@@ -170,7 +170,7 @@ impl Checker<'_> {
         let mut claim = Claim::new(position, span, name);
         claim.verdict = Verdict::Error;
         claim.error = Some(error);
-        self.render(span, Outcome::Claim(self.report.claims.len()), None, None);
+        self.render(span, Outcome::Claim(self.report.claims.len()), Vec::new(), None);
         self.report.claims.push(claim);
     }
 
@@ -209,7 +209,7 @@ impl Checker<'_> {
                         return Ok(());
                     }
                     let values = definition::made(&self.scope, &mut parser, &definition).map_err(shift)?;
-                    let latex = self.renders.then(|| typeset::definition(&definition, rest));
+                    let latex = if self.renders { vec![typeset::definition(&definition, rest)] } else { Vec::new() };
                     self.define(&sub, &definition, values, formula, latex).map_err(shift)?;
                 }
                 Some(Statement::Claim(claim)) => {
@@ -217,8 +217,8 @@ impl Checker<'_> {
                     let explains = self.diagnoses < MAX_DIAGNOSES;
                     let found = decide(&self.scope, &mut parser, &claim, rest, explains).map_err(|error| suggested(error, rest));
                     let (latex, picture) = match self.renders {
-                        true => (Some(typeset::claim(&claim, rest)), picture_of(&self.scope, &mut parser, &claim)),
-                        false => (None, None),
+                        true => (typeset::claim(&claim, rest), picture_of(&self.scope, &mut parser, &claim)),
+                        false => (Vec::new(), None),
                     };
                     self.record(&sub, &claim, name, (line, column), found, (latex, picture));
                 }
@@ -237,7 +237,7 @@ impl Checker<'_> {
         name: Option<&str>,
         position: (usize, usize),
         found: Result<Decision, SyntaxError>,
-        (latex, picture): (Option<String>, Option<Picture>),
+        (latex, picture): (Vec<String>, Option<Picture>),
     ) {
         let span = part.span(claim.span());
         let mut record = Claim::new(position, span, name);
@@ -272,7 +272,7 @@ impl Checker<'_> {
         definition: &MapDefinition,
         value: Made,
         formula: bool,
-        latex: Option<String>,
+        latex: Vec<String>,
     ) -> Result<(), SyntaxError> {
         let (name, span) = (definition.definition.name, definition.definition.name_span);
         if let Some(place) = self.scope.place_of(name) {
@@ -308,7 +308,7 @@ impl Checker<'_> {
     }
 
     /// Keeps a statement for those who render the worksheet.
-    fn render(&mut self, span: Span, outcome: Outcome, latex: Option<String>, picture: Option<Picture>) {
+    fn render(&mut self, span: Span, outcome: Outcome, latex: Vec<String>, picture: Option<Picture>) {
         if self.renders {
             self.report.statements.push(Rendered { span, outcome, latex, picture });
         }

@@ -35,8 +35,8 @@ pub struct Warning {
 pub(super) struct Rendered {
     pub(super) span: Span,
     pub(super) outcome: Outcome,
-    /// The statement in LaTeX, if that was asked for.
-    pub(super) latex: Option<String>,
+    /// The statement in LaTeX, in parts between which a line may end; none if it could not be read.
+    pub(super) latex: Vec<String>,
     /// What can be drawn beside it.
     pub(super) picture: Option<Picture>,
 }

@@ -26,20 +26,40 @@ pub(super) fn definition(made: &MapDefinition, source: &str) -> String {
     text
 }
 
-/// A claim.
-pub(super) fn claim(made: &Claim, source: &str) -> String {
-    let mut text = String::new();
+/// A claim: its first side, and each further one behind its sign, as formulas
+/// between which a line may end.
+pub(super) fn claim(made: &Claim, source: &str) -> Vec<String> {
+    let mut parts = Vec::with_capacity(made.sides.len());
     for (index, side) in made.sides.iter().enumerate() {
-        if let Some(comparison) = index.checked_sub(1).and_then(|before| made.comparisons.get(before)) {
-            text.push_str(&format!(" {} ", comparison.latex()));
-        }
-        text.push_str(&expression(side, source));
+        let side = expression(side, source);
+        parts.push(match index.checked_sub(1).and_then(|before| made.comparisons.get(before)) {
+            Some(comparison) => format!("{} {side}", comparison.latex()),
+            None => side,
+        });
     }
-    text
+    parts
 }
 
+/// How long the LaTeX of a point or a list may be on one line.
+const LINE: usize = 150;
+
+/// Items in brackets; long ones below each other.
 fn bracketed(items: &[String]) -> String {
-    format!("\\left({}\\right)", items.join(", "))
+    enclosed('(', items, ')')
+}
+
+fn enclosed(open: char, items: &[String], close: char) -> String {
+    if items.len() > 1 && items.iter().map(String::len).sum::<usize>() > LINE {
+        let rows: Vec<String> = items.iter().map(|item| format!("\\displaystyle {item}")).collect();
+        return format!("\\left{open}\\begin{{array}}{{l}} {} \\end{{array}}\\right{close}", rows.join(" \\\\ "));
+    }
+    sized(open, &items.join(", "), close)
+}
+
+/// Brackets as high as what they hold.
+fn sized(open: char, inside: &str, close: char) -> String {
+    let is_high = ["\\frac", "\\begin", "\\sqrt", "\\left"].iter().any(|command| inside.contains(command));
+    if is_high { format!("\\left{open}{inside}\\right{close}") } else { format!("{open}{inside}{close}") }
 }
 
 fn listed<'e>(items: impl IntoIterator<Item = &'e Expression>, source: &str) -> Vec<String> {
@@ -77,7 +97,7 @@ fn expression(made: &Expression, source: &str) -> String {
         ExpressionKind::Root(inner) => format!("\\sqrt{{{}}}", unbracketed(inner, source)),
         // A fraction is a group of its own in LaTeX.
         ExpressionKind::Group(inner) if made.span == inner.span => expression(inner, source),
-        ExpressionKind::Group(inner) => format!("\\left({}\\right)", expression(inner, source)),
+        ExpressionKind::Group(inner) => sized('(', &expression(inner, source), ')'),
         ExpressionKind::Tuple(items) => bracketed(&listed(items, source)),
         ExpressionKind::List(items) => list(items, source),
         ExpressionKind::Entry(list, index) => format!("{}\\left[{}\\right]", expression(list, source), expression(index, source)),
@@ -92,7 +112,7 @@ fn expression(made: &Expression, source: &str) -> String {
 fn list(items: &[Expression], source: &str) -> String {
     let is_net = items.len() > 1 && items.iter().all(|item| matches!(item.kind, ExpressionKind::List(_)));
     if !is_net {
-        return format!("\\left[{}\\right]", listed(items, source).join(",\\; "));
+        return enclosed('[', &listed(items, source), ']');
     }
     let rows: Vec<String> = items.iter().map(|row| expression(row, source)).collect();
     format!("\\left[\\begin{{array}}{{l}} {} \\end{{array}}\\right]", rows.join(" \\\\ "))
@@ -124,7 +144,7 @@ fn product(factors: &[(bool, Expression)], source: &str) -> String {
             continue;
         }
         let part = expression(factor, source);
-        let part = if matches!(factor.kind, ExpressionKind::Sum(_)) { format!("\\left({part}\\right)") } else { part };
+        let part = if matches!(factor.kind, ExpressionKind::Sum(_)) { sized('(', &part, ')') } else { part };
         let digits = part.starts_with(|c: char| c.is_ascii_digit()) || part.starts_with("\\frac");
         if count > 0 {
             text.push_str(if digits { " \\cdot " } else { "\\, " });
@@ -140,8 +160,19 @@ fn called(call: &Call, source: &str) -> String {
     let name = match call.callee {
         Callee::Name(symbol) => printer::symbol(symbol, Style::Latex),
         Callee::Function(name @ ("kappa12" | "kappa23" | "kappa31")) => format!("\\kappa_{{{}}}", &name["kappa".len()..]),
+        Callee::Function("sigma") => "\\sigma".to_owned(),
         Callee::Function(name) => format!("\\operatorname{{{}}}", name.replace('_', "\\_")),
     };
+    if let (Callee::Function("sigma"), Arguments::Plain(arguments)) = (call.callee, &call.arguments)
+        && let [Argument::Plain(index), rest @ ..] = arguments.as_slice()
+        && !rest.is_empty()
+    {
+        let rest = rest.iter().map(|argument| match argument {
+            Argument::Plain(inner) | Argument::Named(_, inner) => expression(inner, source),
+            Argument::Range(from, to) => format!("{}\\,..\\,{}", expression(from, source), expression(to, source)),
+        });
+        return format!("\\sigma_{{{}}}{}", unbracketed(index, source), sized('(', &rest.collect::<Vec<_>>().join(", "), ')'));
+    }
     match &call.arguments {
         Arguments::Plain(arguments) => {
             let own = match call.callee {
@@ -154,11 +185,11 @@ fn called(call: &Call, source: &str) -> String {
                 Argument::Range(from, to) => format!("{}\\,..\\,{}", expression(from, source), expression(to, source)),
                 Argument::Named(name, inner) => format!("{} = {}", printer::symbol(*name, Style::Latex), expression(inner, source)),
             });
-            format!("{name}{}", bracketed(&shown.collect::<Vec<_>>()))
+            format!("{name}{}", sized('(', &shown.collect::<Vec<_>>().join(", "), ')'))
         }
         Arguments::Polar(groups) => {
             let groups: Vec<String> = groups.iter().map(|group| polar_group(group, source)).collect();
-            format!("{name}\\left({}\\right)", groups.join(";\\; "))
+            format!("{name}{}", sized('(', &groups.join(";\\; "), ')'))
         }
     }
 }

@@ -139,7 +139,7 @@ impl Page<'_> {
             let line_end = self.source[statement.span.end..next].find('\n').map_or(next, |length| statement.span.end + length);
             let beside = notes.next_if(|(at, _)| *at <= line_end).map(|(_, note)| note);
             rows.push_str(&self.row(statement, beside));
-            if let Some(svg) = statement.picture.as_ref().filter(|_| shown < 2).and_then(picture::drawn) {
+            if let Some(svg) = statement.picture.as_ref().filter(|_| shown <= statements.len() / 8).and_then(picture::drawn) {
                 shown += 1;
                 let _ = writeln!(pictures, "<figure>{svg}</figure>");
             }
@@ -153,9 +153,10 @@ impl Page<'_> {
 
     fn row(&self, statement: &Rendered, note: Option<&str>) -> String {
         let source = statement.span.text(self.source);
-        let formula = match &statement.latex {
-            Some(latex) => mathml(latex, Display::Block),
-            None => format!("<code>{}</code>", escape(source)),
+        let formula = if statement.latex.is_empty() {
+            format!("<code>{}</code>", escape(source))
+        } else {
+            statement.latex.iter().map(|latex| mathml(latex, Display::Block)).collect::<Vec<_>>().join(" ")
         };
         let note = note.map_or_else(String::new, |note| format!("<span class=\"note\">{}</span>", prose(note)));
         match statement.outcome {
