@@ -55,6 +55,8 @@ pub(super) fn program() -> Command {
         .subcommand(super::check::command())
         .subcommand(super::explain::command())
         .subcommand(super::verify::command())
+        .subcommand(super::work::work_command())
+        .subcommand(super::work::exercise_command())
         .subcommand(
             Command::new("batch")
                 .about("Answer requests on standard input, one JSON object a line")

@@ -17,6 +17,7 @@ mod source;
 mod target;
 mod value;
 mod verify;
+mod work;
 
 use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};
@@ -91,6 +92,14 @@ fn carry_out(verb: &str, matches: &ArgMatches) -> Result<Ending, Problem> {
                 clap_complete::generate(shell, &mut command::program(), "casteljau", &mut script);
             }
             print(&script)?;
+            Ok(Ending::Fine)
+        }
+        "work" => {
+            print(work::work(matches)?.as_bytes())?;
+            Ok(Ending::Fine)
+        }
+        "exercise" => {
+            print(work::exercise(matches)?.as_bytes())?;
             Ok(Ending::Fine)
         }
         "verify" => verify::verify(matches, is_coloured(matches, &io::stdout())),

@@ -153,7 +153,7 @@ fn points_of(text: &str) -> Result<Vec<Vec<Polynomial>>, SyntaxError> {
     }
 }
 
-fn count(name: &str, text: &str) -> Result<usize, Problem> {
+pub(super) fn count(name: &str, text: &str) -> Result<usize, Problem> {
     match text.parse::<usize>() {
         Ok(count) if count <= MAX_DEGREE as usize => Ok(count),
         _ if !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()) => {
