@@ -254,3 +254,47 @@ fn every_mutation_is_refuted() {
     assert!(survivors.is_empty(), "{} of {total} survive:\n{}", survivors.len(), survivors.join("\n"));
     assert!(total > 3000, "only {total} mutations");
 }
+
+/// Worked solutions of curves and surfaces prove themselves, without a warning.
+#[test]
+fn worked_solutions_hold() {
+    use casteljau::syntax::{parse_map, parse_scalars};
+    use casteljau::worksheet::{Task, work};
+    use casteljau::{Interval, Polynomial, Rational, Rectangle, Triangle};
+    let number = |value: i64| Polynomial::from(Rational::from(value));
+    let interval = |from: i64, to: i64| Interval::new(number(from), number(to)).expect("a frame");
+    let square = || Rectangle::new(interval(0, 1), interval(-1, 1)).into();
+    for (map, degree, bidegree, frame, at) in [
+        ("(3/4 t^2 - 3/2 t - 9/4, 3/4 t^3 - 3/2 t^2 - 9/4 t)", None, None, Some(interval(-1, 3).into()), Some("1/2")),
+        ("(t, a t^2 + 1)", Some(4), None, Some(interval(3, -1).into()), Some("5")),
+        ("F(r) = r^2 + 7", None, None, None, None),
+        ("(5, 7)", None, None, Some(interval(0, 1).into()), Some("1/3")),
+        ("(u - u^3/3 + u v^2, v - v^3/3 + u^2 v, u^2 - v^2)", None, None, Some(Triangle::standard().into()), Some("1/3 1/4")),
+        ("(u v, s u + v)", Some(3), None, Some(Triangle::standard().into()), Some("1/3 1/4")),
+        ("z = x^3 - 3 x y^2", None, None, Some(square()), Some("1/2 0")),
+        ("(u v, u)", None, Some((2, 2)), Some(square()), None),
+    ] {
+        let at = at.map(|text| parse_scalars(text).expect("numbers"));
+        let task = Task { map: parse_map(map, None).expect("a map"), degree, bidegree, frame, at };
+        let text = work(&task).unwrap_or_else(|error| panic!("{map}: {error}"));
+        let report = check(&text, Format::Markdown);
+        assert!(report.holds() && !report.claims.is_empty(), "{map}: {:#?}\n{text}", problems(&text, &report));
+        assert!(report.warnings.is_empty(), "{map}: {:?}", report.warnings);
+    }
+}
+
+/// So do the solutions of exercises, and the same seed gives the same ones.
+#[test]
+fn solutions_of_exercises_hold() {
+    use casteljau::worksheet::{Exercise, exercises};
+    for kind in Exercise::ALL {
+        for seed in 0..6 {
+            let made = exercises(kind, seed, 14).expect("exercises");
+            let report = check(&made.solutions, Format::Markdown);
+            assert!(report.holds() && report.claims.len() >= 14, "{kind:?} {seed}: {:#?}", problems(&made.solutions, &report));
+            assert_eq!(made, exercises(kind, seed, 14).expect("exercises"));
+            assert!(made.exercises.matches("**").count() == 28 && !made.exercises.contains("casteljau -->"));
+        }
+        assert_ne!(exercises(kind, 1, 3), exercises(kind, 2, 3));
+    }
+}
