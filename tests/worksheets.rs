@@ -298,3 +298,116 @@ fn solutions_of_exercises_hold() {
         assert_ne!(exercises(kind, 1, 3), exercises(kind, 2, 3));
     }
 }
+
+/// The first thing that is said of a worksheet: a claim's error or another one.
+fn complaint(source: &str) -> (usize, String) {
+    let report = check(source, Format::Statements);
+    let claims = report.claims.iter().filter_map(|claim| claim.error.as_ref());
+    let error = report.errors.iter().chain(claims).min_by_key(|error| error.span).unwrap_or_else(|| panic!("no error in {source}"));
+    (error.position(source).0, format!("{error}{}", error.help.as_ref().map_or_else(String::new, |help| format!(" | {help}"))))
+}
+
+/// Every error of the language, on the line where it is.
+#[test]
+fn errors_say_where_and_what() {
+    for (source, line, expected) in [
+        // Definitions.
+        ("F(t) = t\nF(t) = t^2", 2, "found a second definition of `F`, which line 1 defines"),
+        ("F(t) = (t, 1)\nF_1(t) = t^2", 2, "found a second definition of `F1`, which line 1 defines"),
+        ("F_1(t) = t\nF_3(t) = t\nF(1) == (1, 1)", 2, "found a definition of `F_3` but none of `F_2`"),
+        ("F(1) == 2\nF(t) = t", 1, "found `F` before its definition in line 2"),
+        ("f(1, 2) == 2\nF(t) = t^2", 1, "found `F` before its definition in line 2 | move the definition up"),
+        ("a == 2\na = 2", 1, "found `a` before its definition in line 2"),
+        ("a = b + 1\nb = c\nc = 2 a", 1, "found `b`, which is defined by itself: a → b → c → a"),
+        ("a = a + 1", 1, "defined by itself: a → a"),
+        ("t = 1\nF(t) = t^2", 2, "found the variable `t`, which is a name already"),
+        ("p(t) = t^2", 1, "found a map named `p`, expected a capital letter | write `P`"),
+        ("F(t) = t^2\nf(1) = 2", 2, "found `=` behind a value, expected `==` | `=` defines, `==` claims"),
+        ("F(t) = t^3 degree 2", 1, "polar degree 2 is too low"),
+        ("F(t,u,v) = t", 1, "found 3 variables"),
+        ("x: a = 2", 1, "found the name `x` before a definition"),
+        // Claims.
+        ("1 + 1", 1, "expected an operator, or `==` and another value"),
+        ("1 == (1, 2)", 1, "found a number and a point with 2 coordinates, expected two values of one kind"),
+        ("a < 2", 1, "found the symbolic parameter `a`, expected numbers on both sides of `<`"),
+        ("F(t) = t^2\nf(1) == 2", 2, "expected 2 polar arguments, found 1"),
+        ("F(t) = t^2\nF(1, 2) == 2", 2, "expected 1 parameters, found 2"),
+        ("F(t) = t^2\npoints(F) == [1]", 2, "found a curve, expected a net with its frame | `points(F, r..s)` is the net of a curve"),
+        ("F(t) = t^2\npoints(F, 1..1) == [1]", 2, "the frame 1..1 is degenerate"),
+        ("pionts(1) == 1", 1, "found `pionts`, which is no function | did you mean `points`?"),
+        ("points == 1", 1, "found the function `points` without its arguments | write `points(F, r..s)`"),
+        ("F(t) = (t^2, t^3)\nclass(F) == poinnty", 2, "did you mean `pointy` by `poinnty`?"),
+        ("F(t) = (t, t^2)\ncusp(F) == (0, 0)", 2, "this curve has no cusp: its class is parabolic"),
+        ("F(t) = (t, a t^3)\nclass(F) == s_shaped", 2, "this needs numbers, found the symbolic parameter `a`"),
+        ("1 == (1", 1, "found `(` without a closing `)`"),
+        ("1 == 1)", 1, "found `)` without an opening bracket"),
+        ("1/0 == 1", 1, "found a division by zero"),
+        ("(a+b+c+d)^200 == 1", 1, "expected at most"),
+        ("[1, 2][2] == 1", 1, "found the entry 2, expected one from 0 to 1"),
+        ("√-1 == 1", 1, "expected"),
+    ] {
+        let (found_line, found) = complaint(source);
+        assert!(found.contains(expected), "{source}\n  expected {expected}\n  found {found}");
+        assert_eq!(found_line, line, "{source}: {found}");
+    }
+}
+
+/// What the warnings are about.
+#[test]
+fn warnings() {
+    let report = check("a = 1\nb = 2\nb == 2\n1 == 1\nF(t) = t", Format::Statements);
+    let codes: Vec<&str> = report.warnings.iter().map(|warning| warning.code).collect();
+    assert_eq!(codes, ["W101", "W102", "W101"]);
+    assert!(report.holds());
+}
+
+/// Formulas as textbooks print them are read as they stand.
+#[test]
+fn textbook_formulas() {
+    let source = r"<!-- casteljau -->
+$$F_1(t) = \frac{3}{4}t^2 - \frac{3}{2}t - \frac{9}{4}, \qquad F_2(t) = \frac{3}{4}t^3 - \frac{3}{2}t^2 - \frac{9}{4}t.$$
+
+<!-- casteljau -->
+```math
+f_1(t_1, t_2, t_3) = \frac{1}{4}(t_1t_2 + t_1t_3 + t_2t_3) - \frac{1}{2}(t_1 + t_2 + t_3) - \frac{9}{4}
+```
+
+<!-- casteljau -->
+$$\begin{aligned}
+f(-1, -1, 3) &= (-4, 4) \\
+f(-1, 3, 3) &\neq (-4, 4), \qquad F_1(1) < 0
+\end{aligned}$$
+
+<!-- casteljau -->
+$$x(t) = t^2 + 1, \quad x(2) = 5 = 4 + 1$$
+";
+    let report = check(source, Format::Markdown);
+    assert!(report.holds(), "{:#?}", problems(source, &report));
+    assert_eq!(report.claims.len(), 5);
+    let lines: Vec<usize> = report.claims.iter().map(|claim| claim.line).collect();
+    assert_eq!(lines, [6, 11, 12, 12, 16]);
+}
+
+/// Any text gets an answer: pieces of worksheets in any order, and what is no worksheet at all.
+#[test]
+fn strangers() {
+    use proptest::prelude::*;
+    use proptest::test_runner::{Config, TestRunner};
+    let piece = "(```casteljau\n|```\n|```math\n|<!-- casteljau -->\n|\\$\\$|F\\(t\\) = |f\\(|points\\(F, 0..1\\)|==|!=|=|\\(|\\)|\\[|\\]|,|;|:|#|\n|\r\n|\t|\u{feff}|t|1/2|2|√2|\\^|degree 4|class|curve\\(\\[|> |- |\\\\frac\\{1\\}\\{2\\}|\\\\\\\\|&| )";
+    let text = proptest::collection::vec(proptest::string::string_regex(piece).expect("a pattern"), 0..40);
+    let mut runner = TestRunner::new(Config::with_cases(400));
+    let outcome = runner.run(&text, |pieces| {
+        let source = pieces.concat();
+        for format in [Format::Markdown, Format::Statements] {
+            let report = check(&source, format);
+            for error in report.errors.iter().chain(report.claims.iter().filter_map(|claim| claim.error.as_ref())) {
+                prop_assert!(error.span.start <= error.span.end && error.span.end <= source.len(), "{error:?}");
+            }
+            prop_assert!(casteljau::worksheet::html("x", &source, format).ends_with("</html>\n"));
+        }
+        Ok(())
+    });
+    if let Err(error) = outcome {
+        panic!("{error}");
+    }
+}
