@@ -1,7 +1,5 @@
 //! A test of joins that is prepared once and then asked many times.
 
-use std::ops::Range;
-
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
@@ -53,6 +51,8 @@ pub struct SmoothnessTest {
     long: Vec<(u32, BigInt)>,
     /// The sum of the absolute coefficients of a condition, at most.
     growth: Magnitude,
+    /// The largest `n` so that coordinates up to `2^n` leave every sum in one word.
+    room: Option<u32>,
 }
 
 /// Where the terms of a condition end: first those of the first piece, then
@@ -77,8 +77,16 @@ impl SmoothnessTest {
     pub fn new(first: &Piece, second: &Piece, joint: &Joint, order: usize) -> Result<Self, Error> {
         let points = [first, second].map(|piece| piece.points().len());
         arguments_off(first, joint)?;
-        let mut test =
-            Self { points, order, shared: Vec::new(), conditions: Vec::new(), short: None, long: Vec::new(), growth: Magnitude::ONE };
+        let mut test = Self {
+            points,
+            order,
+            shared: Vec::new(),
+            conditions: Vec::new(),
+            short: None,
+            long: Vec::new(),
+            growth: Magnitude::ONE,
+            room: None,
+        };
         for (off, row) in conditions(first, second, joint, order)? {
             let row = primitive(&row);
             let total = row.iter().fold(Magnitude::ZERO, |sum, x| sum.plus(Magnitude::from_big(x.magnitude())));
@@ -101,6 +109,8 @@ impl SmoothnessTest {
             test.conditions.push(Condition { order: off, middle, end: test.long.len() });
         }
         test.short = test.long.iter().map(|(place, x)| Some((*place, i64::try_from(x).ok()?))).collect();
+        let fits = |n: &u32| test.growth.times(Magnitude::from(1u64 << n)).bits() < 64;
+        test.room = (0..64).rev().find(fits).filter(|_| test.short.is_some());
         Ok(test)
     }
 
@@ -117,7 +127,11 @@ impl SmoothnessTest {
         // it needs beside the sign; the union of these has that of the largest number.
         let changes = |net: &[i64]| net.iter().fold(0, |bits, &value| bits | (value ^ (value << 1)) as u64);
         let bits = 64 - (changes(first) | changes(second)).leading_zeros();
-        Ok(self.order_of_words(first, second, dimension, 1 << bits.saturating_sub(1)))
+        let exponent = bits.saturating_sub(1);
+        Ok(match &self.short {
+            Some(terms) if self.room.is_some_and(|room| exponent <= room) => self.order_in_one_word(first, second, dimension, terms),
+            _ => self.order_of_words(first, second, dimension, 1 << exponent),
+        })
     }
 
     /// The same for coordinates in rational numbers.
@@ -137,8 +151,8 @@ impl SmoothnessTest {
     /// The number of coordinates of a point.
     fn dimension(&self, first: usize, second: usize) -> Result<usize, Error> {
         let [own, other] = self.points;
-        // Of the usual dimensions without a division, which takes longer than a condition.
-        let dimension = (1..=4).find(|dimension| dimension * own == first).unwrap_or_else(|| first / own);
+        // In space without a division, which takes longer than a condition.
+        let dimension = if first == 3 * own { 3 } else { first / own };
         match (first == dimension * own && dimension > 0, second == dimension * other) {
             (true, true) => Ok(dimension),
             (true, false) => Err(Error::WrongCount { what: "coordinates of the second net", expected: dimension * other, found: second }),
@@ -149,13 +163,7 @@ impl SmoothnessTest {
     fn order_of_words(&self, first: &[i64], second: &[i64], dimension: usize, bound: u64) -> Option<usize> {
         let bits = self.growth.times(Magnitude::from(bound)).bits();
         match (&self.short, bits) {
-            (Some(terms), 0..=63) => match dimension {
-                1 => self.order_of_vectors::<1>(first, second, terms),
-                2 => self.order_of_vectors::<2>(first, second, terms),
-                3 => self.order_of_vectors::<3>(first, second, terms),
-                4 => self.order_of_vectors::<4>(first, second, terms),
-                _ => self.order_of(first, second, dimension, terms),
-            },
+            (Some(terms), 0..=63) => self.order_in_one_word(first, second, dimension, terms),
             (Some(terms), 64..=127) => {
                 let wide = |net: &[i64]| net.iter().map(|&x| i128::from(x)).collect::<Vec<_>>();
                 let terms: Vec<(u32, i128)> = terms.iter().map(|&(place, x)| (place, i128::from(x))).collect();
@@ -168,43 +176,48 @@ impl SmoothnessTest {
         }
     }
 
-    /// The order from the first condition that fails: which points are the same,
-    /// and for which terms the sums are.
-    #[inline]
-    fn order_below(&self, same: impl Fn(usize, usize) -> bool, holds: impl Fn(Range<usize>, Range<usize>) -> bool) -> Option<usize> {
-        if !self.shared.iter().all(|&(own, other)| same(own as usize, other as usize)) {
-            return None;
+    fn order_in_one_word(&self, first: &[i64], second: &[i64], dimension: usize, terms: &[(u32, i64)]) -> Option<usize> {
+        match dimension {
+            1 => self.order_of_vectors::<1>(first, second, terms),
+            2 => self.order_of_vectors::<2>(first, second, terms),
+            3 => self.order_of_vectors::<3>(first, second, terms),
+            4 => self.order_of_vectors::<4>(first, second, terms),
+            _ => self.order_of(first, second, dimension, terms),
+        }
+    }
+
+    /// For points with a number of coordinates known beforehand, below 2^63 all along.
+    #[inline(never)]
+    fn order_of_vectors<const D: usize>(&self, first: &[i64], second: &[i64], terms: &[(u32, i64)]) -> Option<usize> {
+        let (first, second) = (first.as_chunks::<D>().0, second.as_chunks::<D>().0);
+        // Written out: closures cost a quarter more here.
+        for &(own, other) in &self.shared {
+            if first[own as usize] != second[other as usize] {
+                return None;
+            }
         }
         let mut start = 0;
         for condition in &self.conditions {
-            if !holds(start..condition.middle, condition.middle..condition.end) {
+            let mut sum = [0i64; D];
+            for &(place, factor) in &terms[start..condition.middle] {
+                let point = &first[place as usize];
+                for axis in 0..D {
+                    sum[axis] = sum[axis].wrapping_add(point[axis].wrapping_mul(factor));
+                }
+            }
+            for &(place, factor) in &terms[condition.middle..condition.end] {
+                let point = &second[place as usize];
+                for axis in 0..D {
+                    sum[axis] = sum[axis].wrapping_sub(point[axis].wrapping_mul(factor));
+                }
+            }
+            // Compared with zeros, the sum stays in registers.
+            if sum != [0; D] {
                 return condition.order.checked_sub(1);
             }
             start = condition.end;
         }
         Some(self.order)
-    }
-
-    /// For points with a number of coordinates known beforehand, below 2^63 all along.
-    #[inline]
-    fn order_of_vectors<const D: usize>(&self, first: &[i64], second: &[i64], terms: &[(u32, i64)]) -> Option<usize> {
-        let (first, second) = (first.as_chunks::<D>().0, second.as_chunks::<D>().0);
-        self.order_below(
-            |own, other| first[own] == second[other],
-            |own, other| {
-                let mut sum = [0i64; D];
-                for &(place, factor) in &terms[own] {
-                    let point = &first[place as usize];
-                    (0..D).for_each(|axis| sum[axis] = sum[axis].wrapping_add(point[axis].wrapping_mul(factor)));
-                }
-                for &(place, factor) in &terms[other] {
-                    let point = &second[place as usize];
-                    (0..D).for_each(|axis| sum[axis] = sum[axis].wrapping_sub(point[axis].wrapping_mul(factor)));
-                }
-                // Compared with zeros, the sum stays in registers.
-                sum == [0; D]
-            },
-        )
     }
 
     fn order_of<R: Integer>(&self, first: &[R], second: &[R], dimension: usize, terms: &[(u32, R)]) -> Option<usize> {
@@ -218,13 +231,22 @@ impl SmoothnessTest {
             difference.subtract(other);
             difference.is_nothing()
         };
-        self.order_below(
-            |own, other| (0..dimension).all(|axis| vanishes(first[own * dimension + axis].clone(), &second[other * dimension + axis])),
-            |own, other| {
-                let sums = |axis| (value(first, &terms[own.clone()], axis), value(second, &terms[other.clone()], axis));
-                (0..dimension).map(sums).all(|(own, other)| vanishes(own, &other))
-            },
-        )
+        let same = |&(own, other): &(u32, u32)| {
+            let (own, other) = (own as usize * dimension, other as usize * dimension);
+            (0..dimension).all(|axis| vanishes(first[own + axis].clone(), &second[other + axis]))
+        };
+        if !self.shared.iter().all(same) {
+            return None;
+        }
+        let mut start = 0;
+        for condition in &self.conditions {
+            let (own, other) = (&terms[start..condition.middle], &terms[condition.middle..condition.end]);
+            if !(0..dimension).all(|axis| vanishes(value(first, own, axis), &value(second, other, axis))) {
+                return condition.order.checked_sub(1);
+            }
+            start = condition.end;
+        }
+        Some(self.order)
     }
 }
 
