@@ -40,6 +40,12 @@ pub struct KnotJoin {
     pub order: Continuity,
 }
 
+/// A knot in a message, where a number of many digits is of no use.
+fn shown(knot: &Rational) -> String {
+    let text = knot.to_string();
+    if text.len() <= 40 { text } else { format!("a number of {} letters", text.len()) }
+}
+
 impl Spline {
     /// The most work, in steps on machine words, for all the pieces of a spline.
     pub const MAX_STEPS: u64 = 1 << 30;
@@ -70,12 +76,16 @@ impl Spline {
             return Err(Error::WrongCount { what: "knots", expected: points.len() + degree + 1, found: knots.len() });
         }
         if let Some(place) = knots.windows(2).position(|pair| pair[0] > pair[1]) {
-            return Err(Error::WrongShape(format!("the knots must not fall: {} stands before {}", knots[place], knots[place + 1])));
+            return Err(Error::WrongShape(format!(
+                "the knots must not fall: {} stands before {}",
+                shown(&knots[place]),
+                shown(&knots[place + 1])
+            )));
         }
         if let Some(window) = knots.windows(degree + 2).find(|window| window[0] == window[degree + 1]) {
             return Err(Error::WrongShape(format!(
                 "the knot {} is listed {} times, which no spline of degree {degree} has",
-                window[0],
+                shown(&window[0]),
                 knots.iter().filter(|knot| **knot == window[0]).count()
             )));
         }
@@ -180,7 +190,7 @@ impl Spline {
         let inside = |j: &usize| self.knots[*j] <= *knot && *knot <= self.knots[j + 1];
         let Some(k) = self.intervals().rev().find(inside) else {
             let (low, high) = (&self.knots[m], &self.knots[self.points.len()]);
-            return Err(Error::WrongShape(format!("the knot {knot} lies outside of {low}..{high}")));
+            return Err(Error::WrongShape(format!("the knot {} lies outside of {}..{}", shown(knot), shown(low), shown(high))));
         };
         let points = (0..=self.points.len()).map(|i| {
             if i + m <= k {
