@@ -87,7 +87,7 @@ pub(super) fn verify(matches: &ArgMatches, coloured: bool) -> Result<Ending, Pro
     let mut output = Vec::new();
     write(matches, &checked, &obstacles, coloured, &mut output).map_err(Problem::output)?;
     match text_of(matches, "output") {
-        Some(path) => files::replace(Path::new(path), &output)?,
+        Some(path) => super::target::replace(Path::new(path), &output)?,
         None => super::print(&output)?,
     }
     if let Some(folder) = text_of(matches, "html") {
@@ -150,12 +150,12 @@ fn pages(folder: &Path, checked: &[Checked]) -> Result<(), Problem> {
             name.push('-');
         }
         let page = worksheet::html(&file.path, &file.text, Format::of_path(&file.path));
-        files::replace(&folder.join(format!("{name}.html")), page.as_bytes())?;
+        super::target::replace(&folder.join(format!("{name}.html")), page.as_bytes())?;
         index.push((format!("{name}.html"), file.path.clone(), summary(&file.report), file.report.holds()));
         taken.push(name);
     }
     if index.len() > 1 {
-        files::replace(&folder.join("index.html"), worksheet::html_index(&index).as_bytes())?;
+        super::target::replace(&folder.join("index.html"), worksheet::html_index(&index).as_bytes())?;
     }
     Ok(())
 }

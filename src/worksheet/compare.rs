@@ -13,7 +13,7 @@ use crate::syntax::token::Comparison;
 /// What a comparison found.
 pub(super) enum Finding {
     Holds,
-    Fails(Difference),
+    Fails(Box<Difference>),
     /// The values cannot be compared: why.
     Mismatch(String),
 }
@@ -75,7 +75,9 @@ pub(super) fn compare(left: &Quantity, comparison: Comparison, right: &Quantity)
     match comparison {
         Comparison::Equal => equal(&left, &right),
         Comparison::NotEqual => match equal(&left, &right) {
-            Finding::Holds => Finding::Fails(Difference { note: Some("both sides are the same".to_owned()), ..Difference::default() }),
+            Finding::Holds => {
+                Finding::Fails(Box::new(Difference { note: Some("both sides are the same".to_owned()), ..Difference::default() }))
+            }
             Finding::Fails(_) => Finding::Holds,
             mismatch => mismatch,
         },
@@ -129,7 +131,7 @@ fn order_of(value: &Polynomial) -> Option<Order> {
 }
 
 fn fails(note: String) -> Finding {
-    Finding::Fails(Difference { note: Some(note), ..Difference::default() })
+    Finding::Fails(Box::new(Difference { note: Some(note), ..Difference::default() }))
 }
 
 fn equal(left: &Quantity, right: &Quantity) -> Finding {
@@ -154,7 +156,7 @@ fn equal(left: &Quantity, right: &Quantity) -> Finding {
             let mut entries = Vec::new();
             match walk(left, right, &mut Vec::new(), &mut entries) {
                 Walk::Done if entries.is_empty() => Finding::Holds,
-                Walk::Done => Finding::Fails(Difference { value: minus(left, right), entries, note: None }),
+                Walk::Done => Finding::Fails(Box::new(Difference { value: minus(left, right), entries, note: None })),
                 Walk::Sizes(note) => fails(note),
                 Walk::Kinds(message) => Finding::Mismatch(message),
             }
@@ -264,7 +266,7 @@ fn proportional(left: &Polynomial, right: &Polynomial) -> Finding {
     note(left, &scaled, String::new(), &mut entries);
     let value = Some(Quantity::Number(left - &scaled));
     let note = if num_traits::One::is_one(&factor) { None } else { Some(format!("the right side is taken times {factor}")) };
-    Finding::Fails(Difference { value, entries, note })
+    Finding::Fails(Box::new(Difference { value, entries, note }))
 }
 
 /// Whether two maps are the same, whatever their letters.
@@ -293,7 +295,7 @@ fn maps(left: &Map, right: &Map) -> Finding {
     }
     let value = left.components.iter().zip(&right.components).map(|(x, y)| x - y).collect();
     let is_polynomial = left.weight.is_none() && right.weight.is_none();
-    Finding::Fails(Difference { value: is_polynomial.then(|| Quantity::point(value)), entries, note: None })
+    Finding::Fails(Box::new(Difference { value: is_polynomial.then(|| Quantity::point(value)), entries, note: None }))
 }
 
 fn test(ordering: Ordering, comparison: Comparison) -> bool {
@@ -340,7 +342,7 @@ fn ordered(left: &Quantity, comparison: Comparison, right: &Quantity) -> Finding
             Some(_) => {
                 let mut entries = Vec::new();
                 note(a, b, String::new(), &mut entries);
-                Finding::Fails(Difference { value: minus(left, right), entries, note: None })
+                Finding::Fails(Box::new(Difference { value: minus(left, right), entries, note: None }))
             }
         },
         _ => Finding::Mismatch(format!(

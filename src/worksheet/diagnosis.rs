@@ -201,16 +201,16 @@ fn forms(map: &Map, reading: Reading, list: &mut Vec<(Slip, String)>) {
         Reading::Curve(_) => &[],
         Reading::Total(_) => &[
             (
-                Counts::OfBidegree,
+                Counts::Bidegree,
                 "the coefficients are divided by C(m,h) C(m,k), which belongs to the polar form by the bidegree; by the total degree it is the multinomial m!/(h! k! (m-h-k)!)",
             ),
-            (Counts::OfSum, "the coefficients are divided by C(m,h+k); by the total degree it is the multinomial m!/(h! k! (m-h-k)!)"),
+            (Counts::Sum, "the coefficients are divided by C(m,h+k); by the total degree it is the multinomial m!/(h! k! (m-h-k)!)"),
         ],
         Reading::Bidegree(..) => &[
-            (Counts::OfFirst, "the coefficients are divided by C(p,h) only, and 1/C(q,k) is missing"),
-            (Counts::OfSecond, "the coefficients are divided by C(q,k) only, and 1/C(p,h) is missing"),
+            (Counts::First, "the coefficients are divided by C(p,h) only, and 1/C(q,k) is missing"),
+            (Counts::Second, "the coefficients are divided by C(q,k) only, and 1/C(p,h) is missing"),
             (
-                Counts::OfTotal,
+                Counts::Total,
                 "the coefficients are divided by multinomials, which belong to the polar form by the total degree; by the bidegree it is C(p,h) C(q,k)",
             ),
         ],

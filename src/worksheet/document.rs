@@ -135,12 +135,11 @@ impl Document {
                     }
                 }
                 Event::End(TagEnd::CodeBlock) => self.blocks.extend(open.take()),
-                Event::DisplayMath(text) => {
-                    if mark.take().is_some() {
-                        let mut block = Block::new(true, range.clone());
-                        formula(&mut block, &text, source, range);
-                        self.blocks.push(block);
-                    }
+                Event::DisplayMath(text) if mark.is_some() => {
+                    mark = None;
+                    let mut block = Block::new(true, range.clone());
+                    formula(&mut block, &text, source, range);
+                    self.blocks.push(block);
                 }
                 Event::Html(text) | Event::InlineHtml(text) => {
                     let inside = text.trim().strip_prefix("<!--").and_then(|rest| rest.strip_suffix("-->"));

@@ -48,15 +48,15 @@ pub(super) type Exponents = (usize, usize);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Counts {
     /// `C(m, h) C(m, k)` in a form by the total degree.
-    OfBidegree,
+    Bidegree,
     /// `C(m, h + k)` in a form by the total degree.
-    OfSum,
+    Sum,
     /// `C(p, h)` only in a form by the bidegree.
-    OfFirst,
+    First,
     /// `C(q, k)` only.
-    OfSecond,
+    Second,
     /// The multinomial numbers of degree `p + q` in a form by the bidegree.
-    OfTotal,
+    Total,
 }
 
 fn binomial(degree: usize, index: usize) -> Rational {
@@ -108,11 +108,11 @@ impl Slip {
             Self::Counts(counts) => form.divided_otherwise(|exponents, right| {
                 let (h, k) = of_variables(reading, exponents);
                 match (reading, counts) {
-                    (Reading::Total(m), Counts::OfBidegree) => binomial(m, h) * binomial(m, k),
-                    (Reading::Total(m), Counts::OfSum) => binomial(m, h + k),
-                    (Reading::Bidegree(p, _), Counts::OfFirst) => binomial(p, h),
-                    (Reading::Bidegree(_, q), Counts::OfSecond) => binomial(q, k),
-                    (Reading::Bidegree(p, q), Counts::OfTotal) => binomial(p + q, h) * binomial(p + q - h, k),
+                    (Reading::Total(m), Counts::Bidegree) => binomial(m, h) * binomial(m, k),
+                    (Reading::Total(m), Counts::Sum) => binomial(m, h + k),
+                    (Reading::Bidegree(p, _), Counts::First) => binomial(p, h),
+                    (Reading::Bidegree(_, q), Counts::Second) => binomial(q, k),
+                    (Reading::Bidegree(p, q), Counts::Total) => binomial(p + q, h) * binomial(p + q - h, k),
                     _ => right.clone(),
                 }
             }),

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::cli::files::{relative, shown};
 use crate::audit::Verdict;
 use crate::cli::diagnostic::Problem;
+use crate::cli::files::{relative, shown};
 use crate::cli::target::replace;
 use crate::report::joins::{File, rule_of};
 

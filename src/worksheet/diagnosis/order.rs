@@ -110,11 +110,11 @@ pub(super) fn exchanged(case: &Case<'_>) -> Option<String> {
         return None;
     }
     let wrong: Vec<usize> = (0..left.len()).filter(|&index| left[index].1 != right[index].1).collect();
-    match wrong.as_slice() {
-        &[a, b] if left[a].1 == right[b].1 && left[b].1 == right[a].1 => {
+    match *wrong.as_slice() {
+        [a, b] if left[a].1 == right[b].1 && left[b].1 == right[a].1 => {
             Some(format!("the entries {} and {} are exchanged", left[a].0, left[b].0))
         }
-        &[a] => coordinates(&left[a].1, &right[a].1).or_else(|| coefficients(&left[a].1, &right[a].1)),
+        [a] => coordinates(&left[a].1, &right[a].1).or_else(|| coefficients(&left[a].1, &right[a].1)),
         _ => None,
     }
 }
@@ -139,9 +139,9 @@ fn coordinates(left: &Quantity, right: &Quantity) -> Option<String> {
         return None;
     }
     let wrong: Vec<usize> = (0..left.len()).filter(|&index| left[index] != right[index]).collect();
-    match wrong.as_slice() {
-        &[a, b] if left[a] == right[b] && left[b] == right[a] => Some(format!("the coordinates {} and {} are exchanged", a + 1, b + 1)),
-        &[a] => coefficients(&Quantity::Number(left[a].clone()), &Quantity::Number(right[a].clone())),
+    match *wrong.as_slice() {
+        [a, b] if left[a] == right[b] && left[b] == right[a] => Some(format!("the coordinates {} and {} are exchanged", a + 1, b + 1)),
+        [a] => coefficients(&Quantity::Number(left[a].clone()), &Quantity::Number(right[a].clone())),
         _ => None,
     }
 }

@@ -6,10 +6,11 @@ use crate::continuity::{
 };
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::geometric::{geometric_join, tangent_plane_join};
+use crate::geometric::{geometric_join, geometric_join_of_rational};
 use crate::joint::Joint;
 use crate::piece::{Equation, Piece};
-use crate::triangular::TriangularPatch;
+use crate::side::Side;
+use crate::tangent::tangent_plane_join;
 use crate::worksheet::evaluate::Evaluator;
 use crate::worksheet::quantity::{Map, Order, Quantity, rational};
 
@@ -58,47 +59,42 @@ fn join(_: &Evaluator<'_>, operands: &Operands<'_>) -> Outcome {
 }
 
 fn order(equations: &(Equation, Equation), joint: &Joint, weighted: bool, pieces: Option<&[Piece; 2]>) -> Result<Order, Error> {
-    let unknown = |why: &str| Err(why.to_owned());
     let (parametric, geometric) = match (equations, joint) {
-        ((Equation::Curve(a), Equation::Curve(b)), Joint::Parameter(t)) if weighted => {
-            (continuity_of_rational_curves(a, b, t)?.cartesian, unknown("geometric continuity of curves with weights is not decided"))
-        }
         ((Equation::Curve(a), Equation::Curve(b)), Joint::Parameter(t)) => {
-            let geometric = geometric_join(a, b, t, t).map(|join| join.order.map_or(-1, |order| order as i64));
-            (continuity_of_curves(a, b, t)?, geometric.map_err(|error| error.to_string()))
-        }
-        ((Equation::Surface(a), Equation::Surface(b)), Joint::Edge(edge)) if weighted => {
-            (continuity_of_rational_surfaces(a, b, edge)?.cartesian, unknown("geometric continuity of patches with weights is not decided"))
+            let (parametric, join) = if weighted {
+                (continuity_of_rational_curves(a, b, t)?.cartesian, geometric_join_of_rational(a, b, t, t))
+            } else {
+                (continuity_of_curves(a, b, t)?, geometric_join(a, b, t, t))
+            };
+            (parametric, join.map(|join| join.order.map_or(-1, |order| order as i64)).map_err(|error| error.to_string()))
         }
         ((Equation::Surface(a), Equation::Surface(b)), Joint::Edge(edge)) => {
-            let found = continuity_of_surfaces(a, b, edge)?;
-            (found, pieces.map_or_else(|| unknown("geometric continuity needs two nets"), |pieces| geometric_order(pieces, edge, found)))
+            let found = if weighted { continuity_of_rational_surfaces(a, b, edge)?.cartesian } else { continuity_of_surfaces(a, b, edge)? };
+            let geometric = match pieces {
+                Some(pieces) => geometric_order(pieces, joint, weighted, found),
+                None => Err("geometric continuity needs two nets".to_owned()),
+            };
+            (found, geometric)
         }
         _ => return Err(Error::WrongShape("found a curve and a surface, expected two curves or two surfaces".into())),
     };
     Ok(Order::Found { parametric, geometric })
 }
 
-/// G1 of two triangles: what a smooth parametric join says, or the tangent planes.
-fn geometric_order([first, second]: &[Piece; 2], edge: &[[Rational; 2]; 2], parametric: Continuity) -> Result<i64, String> {
+/// G1 of two patches: what a smooth parametric join says, or the tangent planes.
+fn geometric_order([first, second]: &[Piece; 2], joint: &Joint, weighted: bool, parametric: Continuity) -> Result<i64, String> {
     let at_least = match parametric {
         Continuity::Broken => return Ok(-1),
         Continuity::C(order) => order as i64,
         Continuity::Same => i64::MAX,
     };
-    let (Piece::Triangle(first), Piece::Triangle(second)) = (first, second) else {
-        return if at_least >= 1 { Ok(at_least) } else { Err("geometric continuity of rectangles is not decided here".to_owned()) };
-    };
-    // Each with the vertex off the edge first, the shared ones in one order.
-    let turned = |patch: &TriangularPatch| {
-        let vertices = patch.frame().vertices();
-        let place = |wanted: &[Rational; 2]| vertices.iter().position(|vertex| vertex == wanted);
-        let (from, to) = (place(&edge[0])?, place(&edge[1])?);
-        Some(patch.permuted([3 - from - to, from, to]))
-    };
-    let (Some(first), Some(second)) = (turned(first), turned(second)) else {
+    let (Some((own, _)), Some((other, _))) = (Side::on(first, joint), Side::on(second, joint)) else {
         return Err("the nets share a line, but no edge".to_owned());
     };
-    let join = tangent_plane_join(&first, &second).map_err(|error| error.to_string())?;
-    Ok(if join.is_g1() { at_least.max(1) } else { at_least })
+    let join = tangent_plane_join((first, own), (second, other), weighted).map_err(|error| error.to_string())?;
+    match join.g1() {
+        Some(true) => Ok(at_least.max(1)),
+        Some(false) => Ok(at_least.min(0)),
+        None => Err("a normal vanishes on the joint, so that geometric continuity is not decided".to_owned()),
+    }
 }
