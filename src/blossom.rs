@@ -55,6 +55,7 @@ impl<C: Coefficient> PolarForm<C> {
     /// What the polar form would be if each coefficient of the map were divided
     /// by another number than the one of the products that share it: `count` of
     /// the exponents, for each group of arguments the weight's first, and of that number.
+    #[cfg(feature = "cli")]
     pub(crate) fn divided_otherwise(&self, count: impl Fn(&[usize], &Rational) -> Rational) -> Self {
         let right = multinomials::<Rational>(&self.reading.shape(1));
         let factors = self.reading.exponents().into_iter().zip(right).map(|(exponents, right)| {

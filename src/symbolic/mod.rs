@@ -3,6 +3,8 @@
 
 mod monomial;
 mod polynomial;
+// Worksheets, which compute with roots, belong to the program.
+#[cfg_attr(not(feature = "cli"), allow(dead_code))]
 mod root;
 mod symbol;
 

@@ -205,6 +205,7 @@ impl Polynomial {
     }
 
     /// The polynomial with other symbols in place of some, all at once.
+    #[cfg(feature = "cli")]
     #[must_use]
     pub(crate) fn renamed(&self, pairs: &[(Symbol, Symbol)]) -> Self {
         self.map_symbols(|symbol| pairs.iter().find(|pair| pair.0 == symbol).map_or(symbol, |pair| pair.1))

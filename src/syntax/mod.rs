@@ -12,6 +12,8 @@ mod cost;
 pub(crate) mod definition;
 mod error;
 pub(crate) mod evaluate;
+// What worksheets add to the grammar is used by the program alone.
+#[cfg_attr(not(feature = "cli"), allow(dead_code))]
 pub(crate) mod expression;
 mod frame;
 mod input;
@@ -21,11 +23,13 @@ mod lexer;
 pub mod limits;
 mod literal;
 mod map;
+#[cfg_attr(not(feature = "cli"), allow(dead_code))]
 pub(crate) mod parser;
 mod points;
 pub mod printer;
 mod scalar;
 mod span;
+#[cfg(feature = "cli")]
 pub(crate) mod statement;
 pub(crate) mod token;
 

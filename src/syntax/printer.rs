@@ -69,6 +69,7 @@ fn powers(factors: impl IntoIterator<Item = (Symbol, u32)>, style: Style) -> Str
 
 /// A polynomial in roots of numbers and other symbols, the terms without roots
 /// first, and products of roots under one sign: `1/2 + 1/2 √5`.
+#[cfg(feature = "cli")]
 pub(crate) fn roots_last(value: &Polynomial, style: Style) -> String {
     let mut terms: Vec<(Vec<u32>, Monomial, Rational)> = value
         .terms()
