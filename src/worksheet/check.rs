@@ -58,6 +58,12 @@ fn checked(source: &str, format: Format, renders: bool) -> Report {
     }
     for (block, (text, ranges)) in document.blocks.iter().zip(&parts) {
         for range in ranges {
+            if checker.report.errors.len() + checker.diagnoses > MAX_PROBLEMS {
+                let start = block.in_file(Span::new(range.start, range.start + 1));
+                let message = format!("found more than {MAX_PROBLEMS} statements that fail above, and nothing is read from here on");
+                checker.report.errors.push(SyntaxError::new(start, message));
+                return checker.finish();
+            }
             checker.part(block, text, range.clone());
         }
     }
@@ -84,6 +90,9 @@ impl LineTable {
         (line, column + 1)
     }
 }
+
+/// After so many statements that fail, the rest of a worksheet is not read.
+const MAX_PROBLEMS: usize = 2000;
 
 /// The most failed claims of a worksheet that are explained: of more, the first ones say enough.
 const MAX_DIAGNOSES: usize = 64;
@@ -170,6 +179,7 @@ impl Checker<'_> {
         let mut claim = Claim::new(position, span, name);
         claim.verdict = Verdict::Error;
         claim.error = Some(error);
+        self.diagnoses += 1;
         self.render(span, Outcome::Claim(self.report.claims.len()), Vec::new(), None);
         self.report.claims.push(claim);
     }
@@ -259,6 +269,7 @@ impl Checker<'_> {
             }
             Err(error) => {
                 record.verdict = Verdict::Error;
+                self.diagnoses += 1;
                 record.error = Some(part.error(error));
             }
         }

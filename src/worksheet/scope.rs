@@ -162,7 +162,8 @@ impl Scope {
         let mut way = vec![start, by];
         let mut seen = BTreeSet::from([by]);
         let mut ahead: Vec<Vec<Symbol>> = vec![Vec::new(), self.named_in(by)];
-        while let Some(next) = ahead.last_mut() {
+        const FAR: usize = 1000;
+        while let Some(next) = ahead.last_mut().filter(|_| seen.len() < FAR) {
             match next.pop() {
                 None => {
                     ahead.pop();
