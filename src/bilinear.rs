@@ -1,12 +1,11 @@
 //! The forms of de Casteljau's algorithm on rectangles, with all their steps.
 
-use smallvec::SmallVec;
-
 use crate::affine::Weights;
 use crate::control::ControlNet;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::integers::Integers;
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task;
@@ -146,17 +145,16 @@ impl<C: Coefficient> CommonSteps<C> {
         let steps = p.min(q);
         let weights: [Weights<C>; 2] = [patch.argument(Axis::U, u)?, patch.argument(Axis::V, v)?];
         let shapes: Vec<Shape> = (0..=steps).map(|k| Shape::rectangle(p - k, q - k, patch.dimension())).collect();
-        let layouts: Vec<Layout<C>> = shapes
-            .iter()
-            .enumerate()
-            .map(|(k, shape)| {
-                let divisors: SmallVec<[C; 4]> = weights.iter().flat_map(|weights| std::iter::repeat_n(weights.scale.clone(), k)).collect();
-                Layout { divisors, ..Layout::constant(shape.clone(), C::unit()) }
-            })
-            .collect();
-        let parameters: Vec<C> = weights.iter().flat_map(|weights| weights.weights.iter().cloned()).collect();
-        let task = task::CommonSteps { shape: patch.net().shape.clone(), steps };
-        let mut rest = C::compute(&task, &patch.net().coordinates, &parameters, &layouts);
+        // Both scales once a step.
+        let (mut parameters, mut scales) = (Integers::default(), Integers::default());
+        weights.iter().for_each(|weights| parameters.extend(weights.rows.as_slice()));
+        for _ in 0..steps {
+            weights.iter().for_each(|weights| scales.extend(weights.scales.as_slice()));
+        }
+        let layout = |(k, &shape): (usize, &Shape)| Layout::constant(shape, scales.as_slice().up_to(2 * k));
+        let layouts: Vec<Layout<'_, C>> = shapes.iter().enumerate().map(layout).collect();
+        let task = task::CommonSteps { shape: patch.net().shape, steps };
+        let mut rest = C::compute(&task, &patch.net().coordinates, parameters.as_slice(), &layouts);
         let mut nets = Vec::with_capacity(p.max(q) + 1);
         for shape in shapes {
             let others = rest.split_off(shape.points() * shape.stride);
@@ -170,8 +168,8 @@ impl<C: Coefficient> CommonSteps<C> {
         let more: Vec<RectangularPatch<C>> = (1..=p.abs_diff(q))
             .map(|count| {
                 let arguments = match axis {
-                    Axis::U => [vec![u_weights.clone(); count], Vec::new()],
-                    Axis::V => [Vec::new(), vec![v_weights.clone(); count]],
+                    Axis::U => [u_weights.repeated(count), Weights::default()],
+                    Axis::V => [Weights::default(), v_weights.repeated(count)],
                 };
                 RectangularPatch::from_net(last.net().polar_value(&arguments), patch.frame().clone())
             })

@@ -1,8 +1,10 @@
 //! Polar forms: their coefficients, their terms, and checks of claimed ones.
 
+use crate::affine::Weights;
 use crate::error::Error;
 use crate::exact::Rational;
-use crate::kernel::coefficient::{Coefficient, Compute};
+use crate::exact::width::Entries;
+use crate::kernel::coefficient::Coefficient;
 use crate::kernel::layout::{Layout, multinomials};
 use crate::kernel::shape::Shape;
 use crate::kernel::task::{Symmetric, elementary_symmetric};
@@ -126,7 +128,8 @@ impl<C: Coefficient> PolarForm<C> {
         for (count, dimension) in self.reading.groups() {
             let (own, others) = rest.split_at(count * (dimension + 1));
             rest = others;
-            let group = elementary_symmetric(dimension, own);
+            let mut group = Entries::new();
+            elementary_symmetric(dimension, own, &mut group);
             symmetric = symmetric.iter().flat_map(|a| group.iter().map(move |b| a.times(b))).collect();
         }
         let mut sum = vec![C::nothing(); self.dimension];
@@ -184,14 +187,10 @@ impl<C: Coefficient> PolarForm<C> {
 /// ```
 #[must_use]
 pub fn sigma<C: Coefficient>(arguments: &[C]) -> Vec<C> {
-    let mut constant = C::unit();
-    let mut pairs = Vec::with_capacity(2 * arguments.len());
-    for (t, scale) in arguments.iter().map(Compute::fraction) {
-        constant.multiply(&scale);
-        pairs.extend([scale, t]);
-    }
-    let layout = Layout::constant(Shape::curve(arguments.len(), 1), constant);
-    C::compute(&Symmetric, &[C::unit()], &pairs, &[layout])
+    let mut weights = Weights::default();
+    weights.push_numbers(arguments.iter());
+    let layout = Layout::constant(Shape::curve(arguments.len(), 1), weights.scales.as_slice());
+    C::compute(&Symmetric, &[C::unit()], weights.rows.as_slice(), &[layout])
 }
 
 /// The binomial numbers `C(m, 0), …, C(m, m)`.

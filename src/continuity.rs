@@ -8,7 +8,7 @@
 
 use std::fmt;
 
-use crate::affine::{AffineMap, Interval, Parameter, PlaneParameter, Triangle, Weights};
+use crate::affine::{AffineMap, Interval, PlaneParameter, Triangle, Weights};
 use crate::control::{Data, change_frame};
 use crate::curve::Curve;
 use crate::error::Error;
@@ -74,9 +74,10 @@ pub fn continuity_of_curves(a: &Curve, b: &Curve, at: &Rational) -> Result<Conti
         (0..=degree).flat_map(|power| a.vector(power).iter().zip(b.vector(power)).map(|(x, y)| x - y)).collect();
     // The difference in powers of the distance from the joint.
     let shape = Reading::Curve(degree).shape(a.dimension());
-    let direction = Parameter::direction();
-    let vertices = [Weights::of_number(at), Weights::of_pair(&direction.w, &direction.t)].into_iter().collect();
-    let moved = change_frame(&shape, (Data::Equation, &difference), [vertices], Data::Equation)?;
+    let mut vertices = Weights::default();
+    vertices.push_numbers(std::iter::once(at));
+    vertices.push_pair(&Rational::from(0), &Rational::from(1));
+    let moved = change_frame(&shape, (Data::Equation, &difference), &[vertices], Data::Equation)?;
     let first = moved.chunks_exact(a.dimension()).position(|vector| vector.iter().any(|c| *c != Rational::from(0)));
     Ok(Continuity::of_difference(first))
 }
@@ -100,10 +101,10 @@ pub fn continuity_of_surfaces(a: &Surface, b: &Surface, [from, to]: &[[Rational;
     // In coordinates along the joint and across it, by the smallest power of the second.
     let across = [-along[1].clone(), along[0].clone()];
     let vertices = [PlaneParameter::point(from.clone()), PlaneParameter::vector(along), PlaneParameter::vector(across)];
-    let vertices = vertices.map(|PlaneParameter { u, v, w }| Weights::of(&[w, u, v])).into_iter().collect();
+    let vertices = PlaneParameter::weights(&vertices);
     let reading = Reading::Total(degree);
     let shape = reading.shape(a.dimension());
-    let moved = change_frame(&shape, (Data::Equation, &difference), [vertices], Data::Equation)?;
+    let moved = change_frame(&shape, (Data::Equation, &difference), &[vertices], Data::Equation)?;
     let vectors = moved.chunks_exact(a.dimension()).zip(reading.exponents());
     let powers = vectors.filter(|(vector, _)| vector.iter().any(|c| *c != Rational::from(0))).map(|(_, exponents)| exponents[2]);
     Ok(Continuity::of_difference(powers.min()))

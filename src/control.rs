@@ -2,10 +2,11 @@
 
 use smallvec::SmallVec;
 
-use crate::affine::{AffineMap, Vertices, Weights};
+use crate::affine::{AffineMap, Weights};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::integers::{IntegerSlice, Integers};
 use crate::kernel::layout::Layout;
 use crate::kernel::reframe::Reframe;
 use crate::kernel::shape::{Factor, Shape};
@@ -27,26 +28,22 @@ pub(crate) enum Data {
     Net,
 }
 
-/// The plan of a change of frame with its parameters, and the scales of the new vertices.
-struct Plan<C> {
-    change: ChangeFrame,
-    parameters: SmallVec<[C; 12]>,
-    scales: SmallVec<[C; 3]>,
-}
-
-fn plan<C: Coefficient>(shape: &Shape, data: Data, vertices: impl IntoIterator<Item = Vertices<C>>) -> Result<Plan<C>, Error> {
-    let mut reframes = SmallVec::new();
-    let mut parameters = SmallVec::new();
-    let mut scales = SmallVec::new();
-    for (factor, vertices) in vertices.into_iter().enumerate() {
+/// The plans for bringing every factor over new vertices. Appends their parameters.
+#[inline]
+fn plans<C: Coefficient>(
+    shape: &Shape,
+    vertices: &[Weights<C>],
+    parameters: &mut Integers<C>,
+    reframes: &mut SmallVec<[Reframe; 2]>,
+) -> Result<(), Error> {
+    for (factor, vertices) in vertices.iter().enumerate() {
         let size = shape.factors[factor].dimension + 1;
-        let (reframe, own) = Reframe::new(factor, size, vertices.rows)
-            .ok_or_else(|| Error::DegenerateFrame("the new frame is degenerate: its vertices are dependent".into()))?;
+        let Some(reframe) = Reframe::new(factor, size, vertices.rows.as_slice(), parameters) else {
+            return Err(Error::DegenerateFrame("the new frame is degenerate: its vertices are dependent".into()));
+        };
         reframes.push(reframe);
-        parameters.extend(own);
-        scales.extend(vertices.scales);
     }
-    Ok(Plan { change: ChangeFrame { shape: shape.clone(), reframes, from_form: data == Data::Equation }, parameters, scales })
+    Ok(())
 }
 
 /// Brings an equation or a net over new vertices, one set for every factor;
@@ -54,15 +51,26 @@ fn plan<C: Coefficient>(shape: &Shape, data: Data, vertices: impl IntoIterator<I
 ///
 /// # Errors
 /// [`Error::DegenerateFrame`] if the new vertices are dependent.
+#[inline]
 pub(crate) fn change_frame<C: Coefficient>(
     shape: &Shape,
     (from, numbers): (Data, &[C]),
-    vertices: impl IntoIterator<Item = Vertices<C>>,
+    vertices: &[Weights<C>],
     to: Data,
 ) -> Result<Vec<C>, Error> {
-    let Plan { change, parameters, scales } = plan(shape, from, vertices)?;
-    let layout = Layout { shape: shape.clone(), scales, multinomial: to == Data::Net, constant: C::unit(), divisors: SmallVec::new() };
-    Ok(C::compute(&change, numbers, &parameters, &[layout]))
+    let mut parameters = Integers::default();
+    let mut change = ChangeFrame { shape: *shape, reframes: SmallVec::new(), from_form: from == Data::Equation };
+    plans(shape, vertices, &mut parameters, &mut change.reframes)?;
+    let mut joined = Integers::default();
+    let scales = match vertices {
+        [only] => &only.scales,
+        _ => {
+            vertices.iter().for_each(|vertices| joined.extend(vertices.scales.as_slice()));
+            &joined
+        }
+    };
+    let layout = Layout { multinomial: to == Data::Net, ..Layout::net(*shape, scales.as_slice()) };
+    Ok(C::compute(&change, numbers, parameters.as_slice(), &[layout]))
 }
 
 /// The control points of the curve along the side opposite vertex 0 of the new
@@ -70,12 +78,13 @@ pub(crate) fn change_frame<C: Coefficient>(
 ///
 /// # Errors
 /// [`Error::DegenerateFrame`] if the new vertices are dependent.
-pub(crate) fn edge<C: Coefficient>(shape: &Shape, equation: &[C], vertices: Vertices<C>) -> Result<ControlNet<C>, Error> {
-    let Plan { change, parameters, mut scales } = plan(shape, Data::Equation, [vertices])?;
-    scales.remove(0);
+pub(crate) fn edge<C: Coefficient>(shape: &Shape, equation: &[C], vertices: &Weights<C>) -> Result<ControlNet<C>, Error> {
+    let mut parameters = Integers::default();
+    let mut change = ChangeFrame { shape: *shape, reframes: SmallVec::new(), from_form: true };
+    plans(shape, std::slice::from_ref(vertices), &mut parameters, &mut change.reframes)?;
     let curve = Shape::curve(shape.factors[0].degree, shape.stride);
-    let layout = Layout { scales, ..Layout::form(curve.clone()) };
-    Ok(ControlNet { coordinates: C::compute(&Edge { change }, equation, &parameters, &[layout]), shape: curve })
+    let layout = Layout::form(curve, vertices.scales.as_slice().after(1));
+    Ok(ControlNet { coordinates: C::compute(&Edge { change }, equation, parameters.as_slice(), &[layout]), shape: curve })
 }
 
 impl<C: Coefficient> ControlNet<C> {
@@ -111,32 +120,30 @@ impl<C: Coefficient> ControlNet<C> {
     }
 
     /// The net over other vertices.
-    pub(crate) fn over(&self, vertices: impl IntoIterator<Item = Vertices<C>>) -> Result<Self, Error> {
+    pub(crate) fn over(&self, vertices: &[Weights<C>]) -> Result<Self, Error> {
         let coordinates = change_frame(&self.shape, (Data::Net, &self.coordinates), vertices, Data::Net)?;
-        Ok(Self { shape: self.shape.clone(), coordinates })
+        Ok(Self { shape: self.shape, coordinates })
     }
 
     /// The coefficients of the equation, given the origin and the directions
     /// as combinations of the vertices.
-    pub(crate) fn equation(&self, vertices: impl IntoIterator<Item = Vertices<C>>) -> Result<Vec<C>, Error> {
+    pub(crate) fn equation(&self, vertices: &[Weights<C>]) -> Result<Vec<C>, Error> {
         change_frame(&self.shape, (Data::Net, &self.coordinates), vertices, Data::Equation)
     }
 
-    /// The net that is left when arguments are taken in, lists of them for each factor.
-    pub(crate) fn polar_value(&self, arguments: &[Vec<Weights<C>>]) -> Self {
-        let mut divisors = SmallVec::new();
-        let mut parameters = Vec::new();
-        let mut shape = self.shape.clone();
-        for (factor, list) in shape.factors.iter_mut().zip(arguments) {
-            factor.degree -= list.len();
-            for argument in list {
-                parameters.extend_from_slice(&argument.weights);
-                divisors.push(argument.scale.clone());
-            }
+    /// The net that is left when arguments are taken in, those of each factor.
+    pub(crate) fn polar_value(&self, arguments: &[Weights<C>]) -> Self {
+        let (mut parameters, mut divisors) = (Integers::default(), Integers::default());
+        let (mut shape, mut counts) = (self.shape, SmallVec::new());
+        for (factor, own) in shape.factors.iter_mut().zip(arguments) {
+            parameters.extend(own.rows.as_slice());
+            divisors.extend(own.scales.as_slice());
+            counts.push(own.scales.as_slice().len());
+            factor.degree -= own.scales.as_slice().len();
         }
-        let task = PolarValue { shape: self.shape.clone(), counts: arguments.iter().map(Vec::len).collect() };
-        let layout = Layout { divisors, ..Layout::constant(shape.clone(), C::unit()) };
-        Self { shape, coordinates: C::compute(&task, &self.coordinates, &parameters, &[layout]) }
+        let task = PolarValue { shape: self.shape, counts };
+        let layout = Layout::constant(shape, divisors.as_slice());
+        Self { shape, coordinates: C::compute(&task, &self.coordinates, parameters.as_slice(), &[layout]) }
     }
 
     /// The derivative in a direction of one factor: the degree times the net
@@ -147,10 +154,10 @@ impl<C: Coefficient> ControlNet<C> {
     pub(crate) fn derivative(&self, factor: usize, direction: impl FnOnce() -> Result<Weights<C>, Error>) -> Result<Self, Error> {
         let degree = self.shape.factors[factor].degree;
         if degree == 0 {
-            return Ok(Self { shape: self.shape.clone(), coordinates: vec![C::nothing(); self.coordinates.len()] });
+            return Ok(Self { shape: self.shape, coordinates: vec![C::nothing(); self.coordinates.len()] });
         }
-        let mut arguments = vec![Vec::new(); self.shape.factors.len()];
-        arguments[factor].push(direction()?);
+        let mut arguments = vec![Weights::default(); self.shape.factors.len()];
+        arguments[factor] = direction()?;
         let mut net = self.polar_value(&arguments);
         let degree = C::from(Rational::from(degree as i64));
         net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&degree));
@@ -160,42 +167,38 @@ impl<C: Coefficient> ControlNet<C> {
     /// All steps of de Casteljau's algorithm in one factor: a net with the
     /// argument as one more vertex, vertex 1.
     pub(crate) fn scheme(&self, factor: usize, argument: &Weights<C>) -> Self {
-        let mut shape = self.shape.clone();
+        let mut shape = self.shape;
         shape.factors[factor].dimension += 1;
-        let mut scales: SmallVec<[C; 3]> = SmallVec::new();
-        for (position, Factor { dimension, .. }) in self.shape.factors.iter().enumerate() {
-            let start = scales.len();
-            scales.resize(start + dimension + 1, C::unit());
-            if position == factor {
-                scales.insert(start + 1, argument.scale.clone());
-            }
-        }
-        let layout = Layout { shape: shape.clone(), scales, multinomial: false, constant: C::unit(), divisors: SmallVec::new() };
-        let task = Casteljau { shape: self.shape.clone(), factor };
-        Self { shape, coordinates: C::compute(&task, &self.coordinates, &argument.weights, &[layout]) }
+        let scales = self.scales_with(argument, &shape, (factor, 1));
+        let layout = Layout::net(shape, scales.as_slice());
+        let task = Casteljau { shape: self.shape, factor };
+        Self { shape, coordinates: C::compute(&task, &self.coordinates, argument.rows.as_slice(), &[layout]) }
     }
 
     /// The nets with the argument in place of each of these vertices of a factor.
     pub(crate) fn faces(&self, factor: usize, argument: &Weights<C>, replaced: &[usize]) -> Vec<Self> {
-        let first: usize = self.shape.factors[..factor].iter().map(|factor| factor.dimension + 1).sum();
-        let all: usize = self.shape.factors.iter().map(|factor| factor.dimension + 1).sum();
-        let layouts: Vec<Layout<C>> = replaced
-            .iter()
-            .map(|vertex| {
-                let mut scales = SmallVec::from_elem(C::unit(), all);
-                scales[first + vertex] = argument.scale.clone();
-                Layout { shape: self.shape.clone(), scales, multinomial: false, constant: C::unit(), divisors: SmallVec::new() }
-            })
-            .collect();
-        let task = Faces { shape: self.shape.clone(), factor, replaced: replaced.into() };
-        let mut coordinates = C::compute(&task, &self.coordinates, &argument.weights, &layouts);
+        let scales: Vec<Integers<C>> = replaced.iter().map(|&vertex| self.scales_with(argument, &self.shape, (factor, vertex))).collect();
+        let layouts: Vec<Layout<'_, C>> = scales.iter().map(|scales| Layout::net(self.shape, scales.as_slice())).collect();
+        let task = Faces { shape: self.shape, factor, replaced: replaced.into() };
+        let mut coordinates = C::compute(&task, &self.coordinates, argument.rows.as_slice(), &layouts);
         let mut faces = Vec::with_capacity(replaced.len());
         for _ in replaced {
             let rest = coordinates.split_off(self.coordinates.len());
-            faces.push(Self { shape: self.shape.clone(), coordinates });
+            faces.push(Self { shape: self.shape, coordinates });
             coordinates = rest;
         }
         faces
+    }
+
+    /// The scales of the vertices of a shape, all 1 but that of an argument in one place.
+    fn scales_with(&self, argument: &Weights<C>, shape: &Shape, place: (usize, usize)) -> Integers<C> {
+        let mut scales = Integers::default();
+        for (factor, Factor { dimension, .. }) in shape.factors.iter().enumerate() {
+            for vertex in 0..=*dimension {
+                if (factor, vertex) == place { scales.extend(argument.scales.as_slice()) } else { scales.push_word(1) }
+            }
+        }
+        scales
     }
 
     /// The points of the map on a regular grid of the frame: in each factor the
@@ -203,19 +206,19 @@ impl<C: Coefficient> ControlNet<C> {
     /// net of degree `steps`.
     pub(crate) fn grid(&self, steps: usize) -> Self {
         let shape = Grid::target(&self.shape, steps);
-        let divisor = C::from(Rational::from(steps as i64));
         let degree: usize = self.shape.factors.iter().map(|factor| factor.degree).sum();
-        let layout = Layout { divisors: SmallVec::from_elem(divisor, degree), ..Layout::constant(shape.clone(), C::unit()) };
-        let task = Grid { shape: self.shape.clone(), steps };
-        Self { coordinates: C::compute(&task, &self.coordinates, &[], &[layout]), shape }
+        let divisors = vec![steps as i64; degree];
+        let layout = Layout::constant(shape, IntegerSlice::Words(&divisors));
+        let task = Grid { shape: self.shape, steps };
+        Self { coordinates: C::compute(&task, &self.coordinates, IntegerSlice::NONE, &[layout]), shape }
     }
 
     /// The same map with another degree in a factor: a higher one, or for a
     /// curve a lower one that it is known to have.
     pub(crate) fn with_degree(&self, factor: usize, degree: usize) -> Self {
-        let task = ChangeDegree { shape: self.shape.clone(), factor, degree };
+        let task = ChangeDegree { shape: self.shape, factor, degree };
         let shape = self.shape.with_degree(factor, degree);
-        let coordinates = C::compute(&task, &self.coordinates, &[], &[Layout::form(shape.clone())]);
+        let coordinates = C::compute(&task, &self.coordinates, IntegerSlice::NONE, &[Layout::form(shape, IntegerSlice::NONE)]);
         Self { shape, coordinates }
     }
 
@@ -229,14 +232,15 @@ impl<C: Coefficient> ControlNet<C> {
         if a != b && a != 1 && b != 1 {
             return Err(Error::WrongShape(format!("a product needs equal dimensions, or one that is 1; found {a} and {b}")));
         }
-        let mut shape = Shape { stride: a.max(b), ..self.shape.clone() };
-        for (factor, more) in shape.factors.iter_mut().zip(&other.shape.factors) {
+        let mut shape = Shape { stride: a.max(b), ..self.shape };
+        for (factor, more) in shape.factors.iter_mut().zip(other.shape.factors.iter()) {
             factor.degree += more.degree;
         }
-        let (parameters, constant) = C::clear(&other.coordinates);
-        let layout = Layout { constant, ..Layout::form(shape.clone()) };
-        let task = Product { first: self.shape.clone(), second: other.shape.clone() };
-        Ok(Self { coordinates: C::compute(&task, &self.coordinates, &parameters, &[layout]), shape })
+        let mut factor = Weights::default();
+        factor.push(&other.coordinates);
+        let layout = Layout { divisors: factor.scales.as_slice(), ..Layout::form(shape, IntegerSlice::NONE) };
+        let task = Product { first: self.shape, second: other.shape };
+        Ok(Self { coordinates: C::compute(&task, &self.coordinates, factor.rows.as_slice(), &[layout]), shape })
     }
 
     /// The image under an affine map: the images of the control points.
@@ -248,6 +252,6 @@ impl<C: Coefficient> ControlNet<C> {
         for point in self.points() {
             coordinates.extend(map.apply(point)?);
         }
-        Ok(Self { shape: Shape { stride: map.target_dimension(), ..self.shape.clone() }, coordinates })
+        Ok(Self { shape: Shape { stride: map.target_dimension(), ..self.shape }, coordinates })
     }
 }

@@ -1,13 +1,12 @@
 //! Polynomial curves by their equations.
 
-use smallvec::SmallVec;
-
-use crate::affine::{AffineMap, Interval, Parameter};
+use crate::affine::{AffineMap, Interval, Parameter, Weights};
 use crate::blossom::PolarForm;
 use crate::control::{ControlNet, Data, change_frame};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::integers::{IntegerSlice, Integers};
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::{SymmetricSum, Value};
@@ -142,8 +141,9 @@ impl<C: Coefficient> Curve<C> {
     /// # Errors
     /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
     pub fn blossom(&self, arguments: &[C]) -> Result<Vec<C>, Error> {
-        let weight = C::unit();
-        self.polar_value(arguments.iter().map(|t| (t, &weight)))
+        let mut weights = Weights::default();
+        weights.push_numbers(arguments.iter());
+        self.polar_value(&mut weights)
     }
 
     /// The polar value at homogeneous arguments `[w; t]`, vectors (`w = 0`) included.
@@ -151,51 +151,34 @@ impl<C: Coefficient> Curve<C> {
     /// # Errors
     /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
     pub fn blossom_homogeneous(&self, arguments: &[Parameter<C>]) -> Result<Vec<C>, Error> {
-        self.polar_value(arguments.iter().map(|Parameter { t, w }| (t, w)))
+        let mut weights = Weights::default();
+        arguments.iter().for_each(|Parameter { t, w }| weights.push_pair(w, t));
+        self.polar_value(&mut weights)
     }
 
-    fn polar_value<'a>(&self, arguments: impl ExactSizeIterator<Item = (&'a C, &'a C)>) -> Result<Vec<C>, Error>
-    where
-        C: 'a,
-    {
-        if arguments.len() != self.degree {
-            return Err(Error::WrongCount { what: "polar arguments", expected: self.degree, found: arguments.len() });
+    #[inline]
+    fn polar_value(&self, Weights { rows: parameters, scales: divisors }: &mut Weights<C>) -> Result<Vec<C>, Error> {
+        let found = divisors.as_slice().len();
+        if found != self.degree {
+            return Err(Error::WrongCount { what: "polar arguments", expected: self.degree, found });
         }
-        let mut divisors: SmallVec<[C; 4]> = SmallVec::new();
-        let mut parameters: SmallVec<[C; 12]> = SmallVec::with_capacity(3 * self.degree + 1);
-        for (t, w) in arguments {
-            let (t, t_scale) = t.fraction();
-            if w.is_unit() {
-                parameters.push(t_scale.clone());
-                parameters.push(t);
-            } else {
-                let (w, w_scale) = w.fraction();
-                parameters.push(w.times(&t_scale));
-                parameters.push(t.times(&w_scale));
-                divisors.push(w_scale);
-            }
-            divisors.push(t_scale);
-        }
-        extend_by_multiples(&mut parameters, self.degree);
-        // The first multiple is the common one.
-        let constant = parameters[2 * self.degree].clone();
+        push_multiples(self.degree, parameters, divisors);
         let task = SymmetricSum { shape: Shape::curve(self.degree, self.dimension) };
-        let layout = Layout { divisors, ..self.point_layout(constant) };
-        Ok(C::compute(&task, &self.coefficients, &parameters, &[layout]))
+        Ok(C::compute(&task, &self.coefficients, parameters.as_slice(), &[self.point_layout(divisors)]))
     }
 
     /// The point `F(t)`.
     #[must_use]
     pub fn value(&self, t: &C) -> Vec<C> {
-        let (numerator, scale) = t.fraction();
-        let mut constant = C::unit();
-        (0..self.degree).for_each(|_| constant.multiply(&scale));
+        let mut place = Weights::default();
+        place.push_numbers(std::iter::once(t));
+        let divisors = place.repeated(self.degree).scales;
         let task = Value { shape: Shape::curve(self.degree, self.dimension) };
-        C::compute(&task, &self.coefficients, &[scale, numerator], &[self.point_layout(constant)])
+        C::compute(&task, &self.coefficients, place.rows.as_slice(), &[self.point_layout(&divisors)])
     }
 
-    fn point_layout(&self, constant: C) -> Layout<C> {
-        Layout::constant(Shape::curve(0, self.dimension), constant)
+    fn point_layout<'a>(&self, divisors: &'a Integers<C>) -> Layout<'a, C> {
+        Layout::constant(Shape::curve(0, self.dimension), divisors.as_slice())
     }
 
     /// The derivative of some order, a curve of vectors of a polar degree that
@@ -232,7 +215,7 @@ impl<C: Coefficient> Curve<C> {
     /// None for a frame of numbers or symbols; the result is checked like any other.
     pub fn segment(&self, frame: &Interval<C>) -> Result<Segment<C>, Error> {
         let shape = Shape::curve(self.degree, self.dimension);
-        let coordinates = change_frame(&shape, (Data::Equation, &self.coefficients), [frame.vertices()], Data::Net)?;
+        let coordinates = change_frame(&shape, (Data::Equation, &self.coefficients), &[frame.vertices()], Data::Net)?;
         Ok(Segment::from_net(ControlNet { shape, coordinates }, frame.clone()))
     }
 
@@ -262,23 +245,23 @@ impl<C: Coefficient> Curve<C> {
 const TABLE: usize = 16;
 
 /// The rows of multiples for small degrees, one after the other.
-const MULTIPLES: [u64; (TABLE + 1) * (TABLE + 2) / 2] = {
+static MULTIPLES: [i64; (TABLE + 1) * (TABLE + 2) / 2] = {
     let mut table = [0; (TABLE + 1) * (TABLE + 2) / 2];
     let (mut common, mut degree, mut place) = (1, 0, 0);
     while degree <= TABLE {
         // lcm(C(m,0), …, C(m,m)) = lcm(1, …, m+1) / (m+1)
-        let (mut a, mut b) = (common, degree as u64 + 1);
+        let (mut a, mut b) = (common, degree as i64 + 1);
         while b != 0 {
             (a, b) = (b, a % b);
         }
-        common = common / a * (degree as u64 + 1);
-        let mut multiple = common / (degree as u64 + 1);
+        common = common / a * (degree as i64 + 1);
+        let mut multiple = common / (degree as i64 + 1);
         let mut k = 0;
         while k <= degree {
             table[place] = multiple;
             // C(m,k+1) = C(m,k) (m-k)/(k+1), so the multiple changes by the inverse.
             if k < degree {
-                multiple = multiple * (k as u64 + 1) / (degree - k) as u64;
+                multiple = multiple * (k as i64 + 1) / (degree - k) as i64;
             }
             place += 1;
             k += 1;
@@ -288,14 +271,18 @@ const MULTIPLES: [u64; (TABLE + 1) * (TABLE + 2) / 2] = {
     table
 };
 
-/// Appends the least common multiple of the binomial numbers `C(m, k)`, divided by each of them.
-fn extend_by_multiples<C: Coefficient>(parameters: &mut SmallVec<[C; 12]>, degree: usize) {
+/// Appends the least common multiple of the binomial numbers `C(m, k)`, divided
+/// by each of them, to the parameters, and itself to the divisors.
+#[inline]
+fn push_multiples<C: Coefficient>(degree: usize, parameters: &mut Integers<C>, divisors: &mut Integers<C>) {
     if degree > TABLE {
-        parameters.extend(binomial_multiples(degree).into_iter().map(C::from));
-        return;
+        let multiples = binomial_multiples(degree);
+        divisors.push(C::from(multiples[0].clone()));
+        return multiples.into_iter().for_each(|multiple| parameters.push(C::from(multiple)));
     }
     let start = degree * (degree + 1) / 2;
-    parameters.extend(MULTIPLES[start..=start + degree].iter().map(|&multiple| C::from(Rational::from(multiple as i64))));
+    parameters.extend(IntegerSlice::Words(&MULTIPLES[start..=start + degree]));
+    divisors.push_word(MULTIPLES[start]);
 }
 
 /// The same for any degree.
@@ -338,9 +325,10 @@ mod tests {
     fn multiples_are_integers_times_binomials() {
         for degree in 0..40 {
             let multiples = binomial_multiples(degree);
-            let mut appended: SmallVec<[Rational; 12]> = SmallVec::new();
-            extend_by_multiples(&mut appended, degree);
-            assert_eq!(multiples[..], appended[..]);
+            let (mut parameters, mut divisors) = (Integers::default(), Integers::default());
+            push_multiples(degree, &mut parameters, &mut divisors);
+            assert_eq!(multiples[..], parameters.as_slice().to_elements());
+            assert_eq!(multiples[..1], divisors.as_slice().to_elements());
             let mut binomial = Rational::from(1);
             for (k, multiple) in multiples.iter().enumerate() {
                 assert!(multiple.is_integer());

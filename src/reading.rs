@@ -1,6 +1,6 @@
 //! The ways in which a polynomial is polarized.
 
-use crate::kernel::shape::{Factor, Shape};
+use crate::kernel::shape::{Factors, Shape};
 use crate::symbolic::{Monomial, Symbol};
 
 /// How a polynomial map is read: which polar form it has, and with how many arguments.
@@ -120,7 +120,7 @@ impl Reading {
     }
 
     /// Whether the one map is known to have every polynomial that the other has.
-    pub(crate) fn factors(self) -> smallvec::SmallVec<[Factor; 2]> {
+    pub(crate) fn factors(self) -> Factors {
         self.shape(1).factors
     }
 }

@@ -192,12 +192,9 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of a frame is symbolic.
     pub fn surface(&self) -> Result<Surface<C>, Error> {
-        let vertices = |axis| {
-            let vertices = [Parameter::from(C::nothing()), Parameter::direction()];
-            vertices.iter().map(|vertex| self.interval(axis).weights(vertex)).collect::<Result<_, _>>()
-        };
+        let line = Parameter::line();
         let (p, q) = self.degree();
-        let coefficients = self.net.equation([vertices(Axis::U)?, vertices(Axis::V)?])?;
+        let coefficients = self.net.equation(&[self.frame.u().weights(&line)?, self.frame.v().weights(&line)?])?;
         Ok(Surface::from_coefficients(Reading::Bidegree(p, q), self.dimension(), coefficients))
     }
 
@@ -210,16 +207,9 @@ impl<C: Coefficient> RectangularPatch<C> {
         if ends.iter().any(|end| end.as_rational().is_none()) {
             return self.surface()?.over_rectangle(frame);
         }
-        let vertices = |axis, to: &Interval<C>| {
-            let ends = [to.r(), to.s()].map(|end| self.interval(axis).weights(&Parameter::from(end.clone())));
-            ends.into_iter().collect::<Result<_, _>>()
-        };
-        let net = self.net.over([vertices(Axis::U, frame.u())?, vertices(Axis::V, frame.v())?])?;
+        let (u, v) = (self.frame.u(), self.frame.v());
+        let net = self.net.over(&[u.weights(&frame.u().ends())?, v.weights(&frame.v().ends())?])?;
         Ok(Self { net, frame: frame.clone() })
-    }
-
-    fn weights(&self, axis: Axis, arguments: &[Parameter<C>]) -> Result<Vec<Weights<C>>, Error> {
-        arguments.iter().map(|argument| self.interval(axis).weights(argument)).collect()
     }
 
     /// The polar value `f(u_1, …, u_p; v_1, …, v_q)` at numbers or homogeneous arguments.
@@ -232,7 +222,7 @@ impl<C: Coefficient> RectangularPatch<C> {
         if (us.len(), vs.len()) != (p, q) {
             return Err(Error::WrongCount { what: "polar arguments", expected: p + q, found: us.len() + vs.len() });
         }
-        Ok(self.net.polar_value(&[self.weights(Axis::U, us)?, self.weights(Axis::V, vs)?]).coordinates)
+        Ok(self.net.polar_value(&[self.frame.u().weights(us)?, self.frame.v().weights(vs)?]).coordinates)
     }
 
     /// The point `F(u, v)`, inside the frame or not.
@@ -264,7 +254,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     }
 
     pub(crate) fn argument(&self, axis: Axis, at: &C) -> Result<Weights<C>, Error> {
-        self.interval(axis).weights(&Parameter::from(at.clone()))
+        self.interval(axis).weights(&[Parameter::from(at.clone())])
     }
 
     /// The two parts of the net on either side of a parameter, where they have width.
@@ -343,8 +333,8 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn iso(&self, constant: Axis, at: &C) -> Result<Segment<C>, Error> {
         let degree = self.net.shape.factors[constant.factor()].degree;
-        let weights = vec![self.argument(constant, at)?; degree];
-        let arguments = if constant == Axis::U { [weights, Vec::new()] } else { [Vec::new(), weights] };
+        let weights = self.argument(constant, at)?.repeated(degree);
+        let arguments = if constant == Axis::U { [weights, Weights::default()] } else { [Weights::default(), weights] };
         let coordinates = self.net.polar_value(&arguments).coordinates;
         Segment::new(self.dimension(), coordinates, self.interval(constant.other()).clone())
     }
@@ -392,7 +382,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn partial(&self, axis: Axis) -> Result<Self, Error> {
-        let net = self.net.derivative(axis.factor(), || self.interval(axis).weights(&Parameter::direction()))?;
+        let net = self.net.derivative(axis.factor(), || self.interval(axis).weights(&[Parameter::direction()]))?;
         Ok(Self { net, frame: self.frame.clone() })
     }
 

@@ -37,7 +37,7 @@ impl<C: Coefficient> Scheme<C> {
     pub(crate) fn of(segment: &Segment<C>, t: &C) -> Result<Self, Error> {
         let (degree, dimension) = (segment.degree(), segment.dimension());
         // The scheme of a line is a triangle with vertices r, t, s.
-        let coordinates = segment.net().scheme(0, &segment.frame().weights(&Parameter::from(t.clone()))?).coordinates;
+        let coordinates = segment.net().scheme(0, &segment.frame().weights(&[Parameter::from(t.clone())])?).coordinates;
         Ok(Self { degree, dimension, frame: segment.frame().clone(), parameter: t.clone(), coordinates })
     }
 

@@ -1,13 +1,12 @@
 //! Segments of polynomial curves, given by control points over a frame.
 
-use smallvec::{SmallVec, smallvec};
-
 use crate::affine::{AffineMap, Interval, Parameter};
 use crate::control::ControlNet;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::integers::Integers;
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::Split;
@@ -141,8 +140,8 @@ impl<C: Coefficient> Segment<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn curve(&self) -> Result<Curve<C>, Error> {
-        let [origin, direction] = [Parameter::from(C::nothing()), Parameter::direction()].map(|vertex| self.frame.weights(&vertex));
-        Ok(Curve::from_vectors(self.dimension(), self.net.equation([[origin?, direction?].into_iter().collect()])?))
+        let vertices = self.frame.weights(&Parameter::line())?;
+        Ok(Curve::from_vectors(self.dimension(), self.net.equation(&[vertices])?))
     }
 
     /// The control points over another frame: the polar values at its vertices.
@@ -154,8 +153,8 @@ impl<C: Coefficient> Segment<C> {
             // Replacing vertices directly would divide by a symbolic weight.
             return self.curve()?.segment(frame);
         }
-        let [r, s] = [frame.r(), frame.s()].map(|vertex| self.frame.weights(&Parameter::from(vertex.clone())));
-        Ok(Self { net: self.net.over([[r?, s?].into_iter().collect()])?, frame: frame.clone() })
+        let vertices = self.frame.weights(&frame.ends())?;
+        Ok(Self { net: self.net.over(&[vertices])?, frame: frame.clone() })
     }
 
     /// The polar value `f(t_1, …, t_m)`: one step of de Casteljau's algorithm
@@ -178,8 +177,7 @@ impl<C: Coefficient> Segment<C> {
         if arguments.len() != self.degree() {
             return Err(Error::WrongCount { what: "polar arguments", expected: self.degree(), found: arguments.len() });
         }
-        let arguments = arguments.iter().map(|argument| self.frame.weights(argument)).collect::<Result<_, _>>()?;
-        Ok(self.net.polar_value(&[arguments]).coordinates)
+        Ok(self.net.polar_value(&[self.frame.weights(arguments)?]).coordinates)
     }
 
     /// The point `F(t)`, for any `t`, inside the frame or not.
@@ -215,13 +213,18 @@ impl<C: Coefficient> Segment<C> {
         }
         let left = Interval::new(self.frame.r().clone(), t.clone())?;
         let right = Interval::new(t.clone(), self.frame.s().clone())?;
-        let found = self.frame.weights(&Parameter::from(t.clone()))?;
-        let shape = &self.net.shape;
-        let half = |scales| Layout { shape: shape.clone(), scales, multinomial: false, constant: C::unit(), divisors: SmallVec::new() };
-        let layouts = [half(smallvec![C::unit(), found.scale.clone()]), half(smallvec![found.scale, C::unit()])];
-        let mut first = C::compute(&Split { shape: shape.clone() }, self.coordinates(), &found.weights, &layouts);
+        let found = self.frame.weights(&[Parameter::from(t.clone())])?;
+        let shape = self.net.shape;
+        // The vertices of the halves: r, t and t, s.
+        let mut scales = Integers::default();
+        scales.push_word(1);
+        scales.extend(found.scales.as_slice());
+        scales.push_word(1);
+        let scales = scales.as_slice();
+        let layouts = [Layout::net(shape, scales.up_to(2)), Layout::net(shape, scales.after(1))];
+        let mut first = C::compute(&Split { shape }, self.coordinates(), found.rows.as_slice(), &layouts);
         let second = first.split_off(self.coordinates().len());
-        let piece = |coordinates, frame| Self { net: ControlNet { shape: shape.clone(), coordinates }, frame };
+        let piece = |coordinates, frame| Self { net: ControlNet { shape, coordinates }, frame };
         Ok((piece(first, left), piece(second, right)))
     }
 
@@ -289,7 +292,7 @@ impl<C: Coefficient> Segment<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
     pub fn derivative(&self) -> Result<Self, Error> {
-        let net = self.net.derivative(0, || self.frame.weights(&Parameter::direction()))?;
+        let net = self.net.derivative(0, || self.frame.weights(&[Parameter::direction()]))?;
         Ok(Self { net, frame: self.frame.clone() })
     }
 

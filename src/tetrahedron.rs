@@ -33,7 +33,7 @@ pub struct TriangularScheme<C = Rational> {
 impl<C: Coefficient> TriangularScheme<C> {
     pub(crate) fn of(patch: &TriangularPatch<C>, a: &[C; 2]) -> Result<Self, Error> {
         let frame = patch.frame().clone();
-        let weights = frame.weights(&PlaneParameter::point(a.clone()))?;
+        let weights = frame.weights(&[PlaneParameter::point(a.clone())])?;
         let barycentric = frame.barycentric(a)?;
         Ok(Self { net: patch.net().scheme(0, &weights), frame, parameter: a.clone(), barycentric })
     }

@@ -190,11 +190,8 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the area of the frame is symbolic.
     pub fn surface(&self) -> Result<Surface<C>, Error> {
-        let (zero, one) = (C::nothing, C::unit);
-        let vertices =
-            [PlaneParameter::point([zero(), zero()]), PlaneParameter::vector([one(), zero()]), PlaneParameter::vector([zero(), one()])];
-        let vertices = vertices.iter().map(|vertex| self.frame.weights(vertex)).collect::<Result<_, _>>()?;
-        Ok(Surface::from_coefficients(Reading::Total(self.degree()), self.dimension(), self.net.equation([vertices])?))
+        let vertices = self.frame.weights(&PlaneParameter::plane())?;
+        Ok(Surface::from_coefficients(Reading::Total(self.degree()), self.dimension(), self.net.equation(&[vertices])?))
     }
 
     /// The control points over another frame: the polar values at its vertices.
@@ -205,9 +202,8 @@ impl<C: Coefficient> TriangularPatch<C> {
         if frame.vertices().iter().flatten().any(|coordinate| coordinate.as_rational().is_none()) {
             return self.surface()?.over_triangle(frame);
         }
-        let vertices = [frame.t(), frame.r(), frame.s()].map(|vertex| self.frame.weights(&PlaneParameter::point(vertex.clone())));
-        let vertices = vertices.into_iter().collect::<Result<_, _>>()?;
-        Ok(Self { net: self.net.over([vertices])?, frame: frame.clone() })
+        let vertices = self.frame.weights(&frame.points())?;
+        Ok(Self { net: self.net.over(&[vertices])?, frame: frame.clone() })
     }
 
     /// The polar value at `m` points or vectors: one step of de Casteljau's
@@ -220,8 +216,7 @@ impl<C: Coefficient> TriangularPatch<C> {
         if arguments.len() != self.degree() {
             return Err(Error::WrongCount { what: "polar arguments", expected: self.degree(), found: arguments.len() });
         }
-        let weights = arguments.iter().map(|argument| self.frame.weights(argument)).collect::<Result<_, _>>()?;
-        Ok(self.net.polar_value(&[weights]).coordinates)
+        Ok(self.net.polar_value(&[self.frame.weights(arguments)?]).coordinates)
     }
 
     /// The point `F(a)`, for any `a`, inside the frame or not.
@@ -241,7 +236,7 @@ impl<C: Coefficient> TriangularPatch<C> {
     }
 
     fn argument(&self, a: &[C; 2]) -> Result<Weights<C>, Error> {
-        self.frame.weights(&PlaneParameter::point(a.clone()))
+        self.frame.weights(&[PlaneParameter::point(a.clone())])
     }
 
     /// The nets over `(a,s,t)`, `(r,a,t)` and `(r,s,a)`: faces of the
@@ -254,10 +249,11 @@ impl<C: Coefficient> TriangularPatch<C> {
         // In the kernel the vertices are t, r, s; replacing one keeps the others in place.
         let [r, s, t] = self.frame.vertices();
         let targets = [(1, [a, s, t]), (2, [r, a, t]), (0, [r, s, a])];
-        let replaced: Vec<usize> = targets.iter().map(|target| target.0).filter(|&vertex| !weights.weights[vertex].is_nothing()).collect();
+        let replaced: Vec<usize> =
+            targets.iter().map(|target| target.0).filter(|&vertex| !weights.rows.as_slice().is_nothing(vertex)).collect();
         let mut nets = self.net.faces(0, &weights, &replaced).into_iter();
         let [ast, rat, rsa] = targets.map(|(vertex, [r, s, t])| {
-            if weights.weights[vertex].is_nothing() {
+            if weights.rows.as_slice().is_nothing(vertex) {
                 return Ok(None);
             }
             let frame = Triangle::new(r.clone(), s.clone(), t.clone())?;
@@ -313,7 +309,7 @@ impl<C: Coefficient> TriangularPatch<C> {
         );
         // The same three vertices are a frame in any order.
         let frame = frame.unwrap_or_else(|_| self.frame.clone());
-        Self { net: ControlNet { shape: self.net.shape.clone(), coordinates }, frame }
+        Self { net: ControlNet { shape: self.net.shape, coordinates }, frame }
     }
 
     /// The nets of `depth` rounds of subdivision at the midpoints, `4^depth`
@@ -370,7 +366,7 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// # Errors
     /// [`Error::Unsupported`] if the area of the frame is symbolic.
     pub fn derivative(&self, direction: &[C; 2]) -> Result<Self, Error> {
-        let net = self.net.derivative(0, || self.frame.weights(&PlaneParameter::vector(direction.clone())))?;
+        let net = self.net.derivative(0, || self.frame.weights(&[PlaneParameter::vector(direction.clone())]))?;
         Ok(Self { net, frame: self.frame.clone() })
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Parameter, Vertices, Weights};
+use super::{Parameter, Weights};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -72,22 +72,34 @@ impl<C: Coefficient> Interval<C> {
         self.r.plus(&self.s.minus(&self.r).times(part))
     }
 
-    /// An argument as a combination of the vertices.
+    /// Arguments as combinations of the vertices.
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the length of the frame is symbolic.
-    pub(crate) fn weights(&self, argument: &Parameter<C>) -> Result<Weights<C>, Error> {
-        let Parameter { t, w } = argument;
+    pub(crate) fn weights(&self, arguments: &[Parameter<C>]) -> Result<Weights<C>, Error> {
         let length = self.s.minus(&self.r);
-        let symbolic =
-            || Error::Unsupported(format!("dividing by {length} needs a number: give the frame {}..{} numeric ends", self.r, self.s));
-        let first = w.times(&self.s).minus(t).over(&length).ok_or_else(symbolic)?;
-        Ok(Weights::of_pair(&first, &w.minus(&first)))
+        let mut weights = Weights::default();
+        for Parameter { t, w } in arguments {
+            let Some(first) = w.times(&self.s).minus(t).over(&length) else {
+                let message = format!("dividing by {length} needs a number: give the frame {}..{} numeric ends", self.r, self.s);
+                return Err(Error::Unsupported(message));
+            };
+            weights.push_pair(&first, &w.minus(&first));
+        }
+        Ok(weights)
+    }
+
+    /// The vertices as arguments.
+    pub(crate) fn ends(&self) -> [Parameter<C>; 2] {
+        [&self.r, &self.s].map(|end| Parameter::from(end.clone()))
     }
 
     /// The vertices as integer points of the homogeneous line.
-    pub(crate) fn vertices(&self) -> Vertices<C> {
-        [&self.r, &self.s].into_iter().map(Weights::of_number).collect()
+    #[inline]
+    pub(crate) fn vertices(&self) -> Weights<C> {
+        let mut vertices = Weights::default();
+        vertices.push_numbers([&self.r, &self.s].into_iter());
+        vertices
     }
 }
 

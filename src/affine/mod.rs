@@ -15,4 +15,4 @@ pub use map::AffineMap;
 pub use parameter::{Parameter, PlaneParameter};
 pub use rectangle::Rectangle;
 pub use triangle::{Place, Triangle};
-pub(crate) use weights::{Vertices, Weights};
+pub(crate) use weights::Weights;

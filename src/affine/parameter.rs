@@ -1,5 +1,6 @@
 //! Homogeneous arguments of polar forms.
 
+use super::Weights;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 
@@ -29,6 +30,11 @@ impl<C: Coefficient> Parameter<C> {
     #[must_use]
     pub fn direction() -> Self {
         Self { t: C::unit(), w: C::nothing() }
+    }
+
+    /// The vertices of equations: the origin and the direction.
+    pub(crate) fn line() -> [Self; 2] {
+        [Self::from(C::nothing()), Self::direction()]
     }
 }
 
@@ -69,5 +75,18 @@ impl<C: Coefficient> PlaneParameter<C> {
     #[must_use]
     pub fn vector([u, v]: [C; 2]) -> Self {
         Self { u, v, w: C::nothing() }
+    }
+
+    /// The vertices of equations: the origin and the two directions.
+    pub(crate) fn plane() -> [Self; 3] {
+        let (zero, one) = (C::nothing, C::unit);
+        [Self::point([zero(), zero()]), Self::vector([one(), zero()]), Self::vector([zero(), one()])]
+    }
+
+    /// Points and vectors as integer points of the homogeneous plane.
+    pub(crate) fn weights(arguments: &[Self]) -> Weights<C> {
+        let mut weights = Weights::default();
+        arguments.iter().for_each(|Self { u, v, w }| weights.push(&[w.clone(), u.clone(), v.clone()]));
+        weights
     }
 }

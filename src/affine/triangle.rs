@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{PlaneParameter, Vertices, Weights};
+use super::{PlaneParameter, Weights};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -128,16 +128,20 @@ impl<C: Coefficient> Triangle<C> {
         Ok([lambda, mu, nu])
     }
 
-    /// An argument as a combination of the vertices in the order of the kernel: t, r, s.
-    pub(crate) fn weights(&self, argument: &PlaneParameter<C>) -> Result<Weights<C>, Error> {
-        let [lambda, mu, nu] = self.coordinates(argument)?;
-        Ok(Weights::of(&[nu, lambda, mu]))
+    /// Arguments as combinations of the vertices in the order of the kernel: t, r, s.
+    pub(crate) fn weights(&self, arguments: &[PlaneParameter<C>]) -> Result<Weights<C>, Error> {
+        let mut weights = Weights::default();
+        for argument in arguments {
+            let [lambda, mu, nu] = self.coordinates(argument)?;
+            weights.push(&[nu, lambda, mu]);
+        }
+        Ok(weights)
     }
 
-    /// The vertices t, r, s as integer points of the homogeneous plane.
-    pub(crate) fn homogeneous_vertices(&self) -> Vertices<C> {
+    /// The vertices t, r, s as points of the plane.
+    pub(crate) fn points(&self) -> [PlaneParameter<C>; 3] {
         let [r, s, t] = &self.vertices;
-        [t, r, s].into_iter().map(|[u, v]| Weights::of(&[C::unit(), u.clone(), v.clone()])).collect()
+        [t, r, s].map(|vertex| PlaneParameter::point(vertex.clone()))
     }
 
     /// The point with barycentric coordinates in this frame.

@@ -1,56 +1,80 @@
 //! Points as integer combinations of the vertices of a frame.
 
-use smallvec::{SmallVec, smallvec};
-
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::integers::Integers;
 
-/// A point or vector as a combination of vertices, cleared of denominators:
-/// `scale · x` is the sum of `weights[k]` times vertex `k`.
+/// Points or vectors as combinations of vertices, cleared of denominators: for
+/// each of them `scale · x` is the sum of the weights in its row times the vertices.
 #[derive(Clone, Debug)]
 pub(crate) struct Weights<C> {
-    pub(crate) weights: SmallVec<[C; 3]>,
-    pub(crate) scale: C,
+    /// The weights of one point after the other.
+    pub(crate) rows: Integers<C>,
+    pub(crate) scales: Integers<C>,
+}
+
+impl<C> Default for Weights<C> {
+    #[inline]
+    fn default() -> Self {
+        Self { rows: Integers::default(), scales: Integers::default() }
+    }
 }
 
 impl<C: Coefficient> Weights<C> {
-    /// The number `t` on the homogeneous line: one origin and `t` directions.
-    pub(crate) fn of_number(t: &C) -> Self {
-        let (t, scale) = t.fraction();
-        Self { weights: smallvec![scale.clone(), t], scale }
-    }
-
-    /// The combination of two vertices.
-    pub(crate) fn of_pair(first: &C, second: &C) -> Self {
-        let ((a, a_scale), (b, b_scale)) = (first.fraction(), second.fraction());
-        if a_scale == b_scale {
-            Self { weights: smallvec![a, b], scale: a_scale }
-        } else {
-            Self { weights: smallvec![a.times(&b_scale), b.times(&a_scale)], scale: a_scale.times(&b_scale) }
+    /// Adds numbers `t` on the homogeneous line: one origin and `t` directions.
+    #[inline]
+    pub(crate) fn push_numbers<'a, N: Iterator<Item = &'a C> + Clone>(&mut self, numbers: N)
+    where
+        C: 'a,
+    {
+        let mut short = 0;
+        if let (Integers::Words(rows), Integers::Words(scales)) = (&mut self.rows, &mut self.scales) {
+            let fractions = numbers.clone().map_while(C::short_fraction);
+            let before = scales.len();
+            scales.extend(fractions.clone().map(|(_, scale)| scale));
+            rows.extend(fractions.flat_map(|(t, scale)| [scale, t]));
+            short = scales.len() - before;
         }
+        numbers.skip(short).for_each(|number| self.push_number(number));
     }
 
-    /// The combination of any number of vertices.
-    pub(crate) fn of(parts: &[C]) -> Self {
-        let (weights, scale) = C::clear(parts);
-        Self { weights: weights.into(), scale }
+    #[inline(never)]
+    fn push_number(&mut self, t: &C) {
+        let (t, scale) = t.fraction();
+        self.rows.push(scale.clone());
+        self.rows.push(t);
+        self.scales.push(scale);
     }
-}
 
-/// The new vertices of one factor as combinations of its old ones.
-#[derive(Clone, Debug)]
-pub(crate) struct Vertices<C> {
-    /// The weights of one new vertex after the other.
-    pub(crate) rows: SmallVec<[C; 6]>,
-    pub(crate) scales: SmallVec<[C; 3]>,
-}
+    /// Adds a combination of two vertices.
+    #[inline]
+    pub(crate) fn push_pair(&mut self, first: &C, second: &C) {
+        if let (Some((a, a_scale)), Some((b, b_scale))) = (first.short_fraction(), second.short_fraction())
+            && a_scale == b_scale
+        {
+            self.rows.push_word(a);
+            self.rows.push_word(b);
+            return self.scales.push_word(a_scale);
+        }
+        let ((a, a_scale), (b, b_scale)) = (first.fraction(), second.fraction());
+        self.rows.push(a.times(&b_scale));
+        self.rows.push(b.times(&a_scale));
+        self.scales.push(a_scale.times(&b_scale));
+    }
 
-impl<C> FromIterator<Weights<C>> for Vertices<C> {
-    fn from_iter<I: IntoIterator<Item = Weights<C>>>(vertices: I) -> Self {
-        let mut all = Self { rows: SmallVec::new(), scales: SmallVec::new() };
-        for vertex in vertices {
-            all.rows.extend(vertex.weights);
-            all.scales.push(vertex.scale);
+    /// The same points several times over.
+    pub(crate) fn repeated(&self, times: usize) -> Self {
+        let mut all = Self::default();
+        for _ in 0..times {
+            all.rows.extend(self.rows.as_slice());
+            all.scales.extend(self.scales.as_slice());
         }
         all
+    }
+
+    /// Adds a combination of any number of vertices.
+    pub(crate) fn push(&mut self, parts: &[C]) {
+        let (weights, scale) = C::clear(parts);
+        weights.into_iter().for_each(|weight| self.rows.push(weight));
+        self.scales.push(scale);
     }
 }

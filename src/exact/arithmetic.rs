@@ -11,27 +11,38 @@ use super::Rational;
 use super::rational::Repr;
 
 fn add(a: &Rational, b: &Rational) -> Rational {
-    match (&a.0, &b.0) {
-        (Repr::Small { numer: a, denom: b }, Repr::Small { numer: c, denom: d }) => {
-            let (b, d) = (b.get(), d.get());
-            if let (1, 1, Some(sum)) = (b, d, a.checked_add(*c)) {
-                return Rational::small(sum, 1);
-            }
-            if b == d {
-                return Rational::from_i128(i128::from(*a) + i128::from(*c), u128::from(b));
-            }
-            // Both products are below 2^126, so the sum fits.
-            Rational::from_i128(i128::from(*a) * i128::from(d) + i128::from(*c) * i128::from(b), u128::from(b) * u128::from(d))
-        }
+    match (a.as_small(), b.as_small()) {
+        (Some((a, b)), Some((c, d))) => add_small((i128::from(a), b), (i128::from(c), d)),
         _ => Rational::from_big(a.numer() * b.denom() + b.numer() * a.denom(), a.denom() * b.denom()),
     }
 }
 
 fn subtract(a: &Rational, b: &Rational) -> Rational {
-    add(a, &-b)
+    match (a.as_small(), b.as_small()) {
+        (Some((a, b)), Some((c, d))) => add_small((i128::from(a), b), (-i128::from(c), d)),
+        _ => Rational::from_big(a.numer() * b.denom() - b.numer() * a.denom(), a.denom() * b.denom()),
+    }
+}
+
+/// The sum of two fractions of words in lowest terms.
+#[inline]
+fn add_small((a, b): (i128, u64), (c, d): (i128, u64)) -> Rational {
+    if b == 1 || d == 1 {
+        // An integer changes nothing about what a fraction's terms share.
+        let sum = a * i128::from(d) + c * i128::from(b);
+        return Rational::from_lowest(sum < 0, sum.unsigned_abs(), u128::from(b * d));
+    }
+    if b == d {
+        return Rational::from_i128(a + c, u128::from(b));
+    }
+    // Both products are below 2^126, so the sum fits.
+    Rational::from_i128(a * i128::from(d) + c * i128::from(b), u128::from(b) * u128::from(d))
 }
 
 fn multiply(a: &Rational, b: &Rational) -> Rational {
+    if a.is_one() {
+        return b.clone();
+    }
     match (&a.0, &b.0) {
         (Repr::Small { numer: a, denom: b }, Repr::Small { numer: c, denom: d }) => {
             if let (1, 1, Some(product)) = (b.get(), d.get(), a.checked_mul(*c)) {
@@ -126,6 +137,10 @@ impl One for Rational {
     #[inline]
     fn one() -> Self {
         Self::from(1)
+    }
+    #[inline]
+    fn is_one(&self) -> bool {
+        self.as_small() == Some((1, 1))
     }
 }
 

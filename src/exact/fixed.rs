@@ -132,7 +132,9 @@ impl<const N: usize> Ring for Fixed<N> {
         self.0[0] & 1 == 1
     }
     fn as_word(&self) -> Option<i64> {
-        self.into_big().as_word()
+        let word = self.0[0] as i64;
+        let sign = if word < 0 { u64::MAX } else { 0 };
+        self.0[1..].iter().all(|&above| above == sign).then_some(word)
     }
     fn from_word(value: i64) -> Self {
         <Self as Integer>::from_i64(value)

@@ -21,9 +21,9 @@ pub(crate) fn gcd_u64(mut a: u64, mut b: u64) -> u64 {
     b >>= b.trailing_zeros();
     while a != b {
         // Both odd: the difference is even, so every round drops a bit at least.
-        let difference = a.abs_diff(b);
-        b = a.min(b);
-        a = difference >> difference.trailing_zeros();
+        // Its trailing zeros do not wait for its sign.
+        let zeros = a.wrapping_sub(b).trailing_zeros();
+        (a, b) = (a.abs_diff(b) >> zeros, a.min(b));
     }
     a << shift
 }

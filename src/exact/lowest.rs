@@ -21,8 +21,7 @@ pub(crate) trait Word: PrimInt + Unsigned + WrappingMul {
     /// The integers of the same width.
     type Signed: Ring;
     const BITS: u64;
-    /// For each odd prime its inverse, and the quotient of the largest multiple.
-    const INVERSES: [(Self, Self); ODD_PRIMES.len()];
+    const INVERSES: [Inverse<Self>; ODD_PRIMES.len()];
     /// The greatest common divisor.
     fn gcd(self, other: Self) -> Self;
     /// The low words of the number.
@@ -37,8 +36,8 @@ macro_rules! word {
         impl Word for $type {
             type Signed = $signed;
             const BITS: u64 = <$type>::BITS as u64;
-            const INVERSES: [(Self, Self); ODD_PRIMES.len()] = {
-                let mut table = [(0, 0); ODD_PRIMES.len()];
+            const INVERSES: [Inverse<Self>; ODD_PRIMES.len()] = {
+                let mut table = [Inverse { inverse: 0, largest: 0 }; ODD_PRIMES.len()];
                 let mut index = 0;
                 while index < table.len() {
                     let prime = ODD_PRIMES[index] as $type;
@@ -49,7 +48,7 @@ macro_rules! word {
                         inverse = inverse.wrapping_mul((2 as $type).wrapping_sub(prime.wrapping_mul(inverse)));
                         bits *= 2;
                     }
-                    table[index] = (inverse, <$type>::MAX / prime);
+                    table[index] = Inverse { inverse, largest: <$type>::MAX / prime };
                     index += 1;
                 }
                 table
@@ -83,7 +82,6 @@ pub(crate) struct PrimeSet(u16);
 
 impl PrimeSet {
     pub(crate) const EMPTY: Self = Self(0);
-    const ALL: Self = Self((1 << ODD_PRIMES.len()) - 1);
 
     /// The primes up to a bound: those of the multinomial numbers of a degree.
     /// The second part says whether all of them are in the set.
@@ -98,27 +96,16 @@ impl PrimeSet {
         Self(self.0 | other.0)
     }
 
-    /// The indices of the primes.
-    #[inline]
-    fn indices(self) -> impl Iterator<Item = usize> {
-        let mut left = self.0;
-        std::iter::from_fn(move || {
-            let index = left.trailing_zeros() as usize;
-            left &= left.wrapping_sub(1);
-            (index < ODD_PRIMES.len()).then_some(index)
-        })
-    }
-
     /// The small primes of a non-zero number, and what dividing by all of them leaves.
     #[inline]
     pub(crate) fn of<W: Word>(value: W) -> (Self, W) {
         let mut rest = value >> value.trailing_zeros() as usize;
         let mut found = Self::EMPTY;
-        for index in Self::ALL.indices() {
+        for (index, inverse) in W::INVERSES.iter().enumerate() {
             if rest == W::one() {
                 break;
             }
-            while let Some(quotient) = quotient(rest, index) {
+            while let Some(quotient) = inverse.quotient(rest) {
                 rest = quotient;
                 found.0 |= 1 << index;
             }
@@ -127,12 +114,20 @@ impl PrimeSet {
     }
 }
 
-/// The exact quotient by an odd prime, if there is one.
-#[inline]
-fn quotient<W: Word>(value: W, index: usize) -> Option<W> {
-    let (inverse, largest) = W::INVERSES[index];
-    let quotient = value.wrapping_mul(&inverse);
-    (quotient <= largest).then_some(quotient)
+/// For an odd prime its inverse modulo the word, and the quotient of the largest multiple.
+#[derive(Clone, Copy)]
+pub(crate) struct Inverse<W> {
+    inverse: W,
+    largest: W,
+}
+
+impl<W: Word> Inverse<W> {
+    /// The exact quotient by the prime, if there is one.
+    #[inline]
+    fn quotient(self, value: W) -> Option<W> {
+        let quotient = value.wrapping_mul(&self.inverse);
+        if quotient <= self.largest { Some(quotient) } else { None }
+    }
 }
 
 /// Divides two non-zero numbers by their greatest common divisor, where 2, the
@@ -143,10 +138,13 @@ pub(crate) fn lowest<W: Word>(mut numer: W, mut denom: W, primes: PrimeSet, rest
     let twos = numer.trailing_zeros().min(denom.trailing_zeros()) as usize;
     numer = numer >> twos;
     denom = denom >> twos;
-    for index in primes.indices() {
-        while let (Some(shorter), Some(short)) = (quotient(numer, index), quotient(denom, index)) {
-            numer = shorter;
-            denom = short;
+    let mut left = primes.0;
+    while let Some(inverse) = W::INVERSES.get(left.trailing_zeros() as usize) {
+        left &= left - 1;
+        while let Some(short) = inverse.quotient(denom)
+            && let Some(shorter) = inverse.quotient(numer)
+        {
+            (numer, denom) = (shorter, short);
         }
     }
     if rest != W::one() {
@@ -206,7 +204,8 @@ mod tests {
     fn primes_up_to_a_degree() {
         assert_eq!(PrimeSet::up_to(2), (PrimeSet::EMPTY, true));
         assert_eq!(PrimeSet::up_to(7), (PrimeSet(0b111), true));
-        assert_eq!(PrimeSet::up_to(36), (PrimeSet::ALL, true));
-        assert_eq!(PrimeSet::up_to(37), (PrimeSet::ALL, false));
+        let all = PrimeSet((1 << ODD_PRIMES.len()) - 1);
+        assert_eq!(PrimeSet::up_to(36), (all, true));
+        assert_eq!(PrimeSet::up_to(37), (all, false));
     }
 }

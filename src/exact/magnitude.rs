@@ -24,6 +24,7 @@ impl Magnitude {
         Self::rounded(leading + u128::from(excess > 0), excess)
     }
 
+    #[inline(never)]
     fn rounded(mantissa: u128, exponent: u64) -> Self {
         let excess = 64 - (mantissa >> 64).leading_zeros().saturating_sub(64);
         if excess == 0 {
@@ -50,6 +51,11 @@ impl Magnitude {
         if let (0, 0, Some(mantissa)) = (self.exponent, other.exponent, self.mantissa.checked_add(other.mantissa)) {
             return Self::from(mantissa);
         }
+        self.plus_long(other)
+    }
+
+    #[inline(never)]
+    fn plus_long(self, other: Self) -> Self {
         let (high, low) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
         let gap = high.exponent - low.exponent;
         if high.mantissa == 0 {
@@ -90,6 +96,11 @@ impl Magnitude {
         if self.exponent == other.exponent {
             return if self.mantissa >= other.mantissa { self } else { other };
         }
+        self.max_long(other)
+    }
+
+    #[inline(never)]
+    fn max_long(self, other: Self) -> Self {
         let difference_free = self.bits().cmp(&other.bits());
         match difference_free {
             std::cmp::Ordering::Less => other,

@@ -199,6 +199,9 @@ impl Rational {
     /// The quotient, or `None` if `divisor` is zero.
     #[must_use]
     pub fn checked_div(&self, divisor: &Self) -> Option<Self> {
+        if divisor.is_one() {
+            return Some(self.clone());
+        }
         divisor.recip().map(|inverse| self * &inverse)
     }
 

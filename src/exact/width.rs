@@ -17,6 +17,8 @@ use super::magnitude::Magnitude;
 pub trait Ring: Clone {
     /// Whether a product costs many times a sum.
     const LONG: bool = false;
+    /// Whether a product costs more than one of words.
+    const WIDE: bool = true;
     /// Zero.
     fn nothing() -> Self;
     /// One.
@@ -53,6 +55,9 @@ pub trait Ring: Clone {
     fn magnitude(&self) -> Magnitude;
 }
 
+/// The numbers of a computation: on the stack where they are few.
+pub(crate) type Entries<R> = SmallVec<[R; 32]>;
+
 /// The powers `1, base, …, base^degree`.
 pub(crate) fn powers<R: Ring>(base: &R, degree: usize) -> SmallVec<[R; 16]> {
     let mut powers = SmallVec::with_capacity(degree + 1);
@@ -71,6 +76,18 @@ pub(crate) trait Integer: Ring {
     const WORDS: usize;
     /// The integer, which the caller has bounded to fit.
     fn from_i64(value: i64) -> Self;
+    /// Words as integers of this width, put into `room` unless they are that already.
+    #[inline]
+    fn of_words<'a>(words: &'a [i64], room: &'a mut Entries<Self>) -> &'a [Self] {
+        room.extend(words.iter().map(|&word| Self::from_i64(word)));
+        room
+    }
+    /// The same, to be changed.
+    #[inline]
+    fn of_words_mut<'a>(words: &'a mut Entries<i64>, room: &'a mut Entries<Self>) -> &'a mut Entries<Self> {
+        room.extend(words.iter().map(|&word| Self::from_i64(word)));
+        room
+    }
     /// The integer, which the caller has bounded to fit.
     fn from_i128(value: i128) -> Self;
     /// The integer modulo the width.
@@ -81,8 +98,9 @@ pub(crate) trait Integer: Ring {
 }
 
 macro_rules! machine_integer {
-    ($type:ty, $words:expr) => {
+    ($type:ty, $words:expr, {$($more:tt)*}) => {
         impl Ring for $type {
+            const WIDE: bool = $words > 1;
             #[inline]
             fn nothing() -> Self {
                 0
@@ -173,12 +191,22 @@ macro_rules! machine_integer {
             fn into_big(self) -> BigInt {
                 BigInt::from(self)
             }
+            $($more)*
         }
     };
 }
 
-machine_integer!(i64, 1);
-machine_integer!(i128, 2);
+machine_integer!(i64, 1, {
+    #[inline]
+    fn of_words<'a>(words: &'a [i64], _: &'a mut Entries<Self>) -> &'a [Self] {
+        words
+    }
+    #[inline]
+    fn of_words_mut<'a>(words: &'a mut Entries<i64>, _: &'a mut Entries<Self>) -> &'a mut Entries<Self> {
+        words
+    }
+});
+machine_integer!(i128, 2, {});
 
 impl Ring for BigInt {
     const LONG: bool = true;

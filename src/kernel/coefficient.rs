@@ -5,15 +5,15 @@
 use std::fmt;
 
 use num_bigint::BigInt;
-use smallvec::SmallVec;
 
 use super::denominator::{CommonDenominator, LongDenominators, integer, magnitude_of_integer};
+use super::integers::IntegerSlice;
 use super::layout::Layout;
-use super::short::ShortDenominators;
+use super::short::{ShortDenominators, reduce_single};
 use crate::exact::Rational;
 use crate::exact::fixed::Fixed;
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::{Integer, Ring};
+use crate::exact::width::{Entries, Integer, Ring};
 use crate::symbolic::Polynomial;
 
 /// A scalar that curves can have as coefficients, control points and
@@ -65,21 +65,24 @@ pub trait Coefficient: sealed::Compute + PartialEq + fmt::Debug + fmt::Display +
 }
 
 pub(crate) mod sealed {
-    use super::{Layout, Magnitude, Ring};
+    use super::{Entries, IntegerSlice, Layout, Magnitude, Ring};
 
     /// What is computed, written once for every ring.
     pub trait Task {
         /// The most that any number on the way exceeds the largest number of
         /// the data by, and at least every parameter to every power it is used in.
         fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude;
-        /// The computation itself, on numerators and integer parameters.
-        fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R>;
+        /// The computation itself, with integer parameters, in place: numerators become results.
+        fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]);
     }
 
     /// Running tasks; see the module.
     pub trait Compute: Ring {
         /// Numerator and denominator, both without denominators of their own.
         fn fraction(&self) -> (Self, Self);
+
+        /// The same as words, if they are.
+        fn short_fraction(&self) -> Option<(i64, i64)>;
 
         /// The numbers over their common denominator: integers, and what they are divided by.
         fn clear(data: &[Self]) -> (Vec<Self>, Self);
@@ -88,7 +91,7 @@ pub(crate) mod sealed {
         /// denominator of the data go in, with parameters that are integers,
         /// and the results are divided by that denominator and by what
         /// `layouts` says of each.
-        fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self>;
+        fn compute<T: Task>(task: &T, data: &[Self], parameters: IntegerSlice<'_, Self>, layouts: &[Layout<'_, Self>]) -> Vec<Self>;
     }
 }
 
@@ -252,21 +255,34 @@ impl Compute for Rational {
         }
     }
 
+    #[inline]
+    fn short_fraction(&self) -> Option<(i64, i64)> {
+        self.as_small().map(|(numer, denom)| (numer, denom as i64))
+    }
+
     fn clear(data: &[Self]) -> (Vec<Self>, Self) {
         let common = Self::from(CommonDenominator::of(data).to_big());
         (data.iter().map(|value| value * &common).collect(), common)
     }
 
-    fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self> {
-        let common = CommonDenominator::of(data);
-        let words = common.words(data);
-        let largest = match &words {
-            Some((_, largest)) => Magnitude::from(*largest),
-            None => common.largest_numerator(data),
+    #[inline]
+    fn compute<T: Task>(task: &T, data: &[Self], parameters: IntegerSlice<'_, Self>, layouts: &[Layout<'_, Self>]) -> Vec<Self> {
+        let mut words = Entries::new();
+        let short = CommonDenominator::of_words(data, &mut words);
+        let (common, largest) = match short {
+            Some((common, largest)) => (CommonDenominator::Word(common), Magnitude::from(largest)),
+            None => {
+                let common = CommonDenominator::of(data);
+                let largest = common.largest_numerator(data);
+                (common, largest)
+            }
         };
-        let bound = task.growth(parameters).times(largest.max(Magnitude::ONE));
-        let call = Call { task, data, words: words.map(|(words, _)| words), parameters, layouts, common: &common };
-        match bound.bits() {
+        let growth = match parameters {
+            IntegerSlice::Words(words) => task.growth(words),
+            IntegerSlice::Any(list) => task.growth(list),
+        };
+        let call = Call { task, data, words: short.map(|_| &mut words), parameters, layouts, common: &common };
+        match growth.times(largest.max(Magnitude::ONE)).bits() {
             0..=63 => call.run::<i64>(),
             64..=127 => call.run::<i128>(),
             128..=191 => call.run::<Fixed<3>>(),
@@ -284,19 +300,26 @@ impl Compute for Polynomial {
         (self.clone(), Self::unit())
     }
 
+    fn short_fraction(&self) -> Option<(i64, i64)> {
+        None
+    }
+
     fn clear(data: &[Self]) -> (Vec<Self>, Self) {
         (data.to_vec(), Self::unit())
     }
 
-    fn compute<T: Task>(task: &T, data: &[Self], parameters: &[Self], layouts: &[Layout<Self>]) -> Vec<Self> {
-        let mut results = task.run(data.to_vec(), parameters).into_iter();
+    fn compute<T: Task>(task: &T, data: &[Self], parameters: IntegerSlice<'_, Self>, layouts: &[Layout<'_, Self>]) -> Vec<Self> {
+        let mut results = Entries::from(data);
+        task.run(&mut results, &parameters.to_elements());
+        let mut results = results.into_iter();
         let mut reduced = Vec::new();
         for layout in layouts {
             let mut multinomials = layout.multinomials::<BigInt>().into_iter();
+            let (divisors, scales) = (layout.divisors.to_elements(), layout.scales.to_elements());
             layout.shape.for_each(|exponents| {
-                let mut divisor = layout.constant.clone();
-                layout.divisors.iter().for_each(|factor| divisor.multiply(factor));
-                for (scale, &exponent) in layout.scales.iter().zip(exponents) {
+                let mut divisor = Self::unit();
+                divisors.iter().for_each(|factor| divisor.multiply(factor));
+                for (scale, &exponent) in scales.iter().zip(exponents) {
                     (0..exponent).for_each(|_| divisor.multiply(scale));
                 }
                 if let Some(multinomial) = multinomials.next() {
@@ -317,46 +340,59 @@ struct Call<'a, T> {
     task: &'a T,
     data: &'a [Rational],
     /// The numerators, if all of them fit a word.
-    words: Option<Vec<i64>>,
-    parameters: &'a [Rational],
-    layouts: &'a [Layout<Rational>],
+    words: Option<&'a mut Entries<i64>>,
+    parameters: IntegerSlice<'a, Rational>,
+    layouts: &'a [Layout<'a, Rational>],
     common: &'a CommonDenominator,
 }
 
 impl<T: Task> Call<'_, T> {
+    /// One function for each width: together they would share one large stack frame.
+    #[inline(never)]
     fn run<R: Integer>(self) -> Vec<Rational> {
-        let numerators: Vec<R> = match self.words {
-            Some(words) => words.into_iter().map(R::from_i64).collect(),
-            None => self.data.iter().map(|value| self.common.numerator(value)).collect(),
+        let (mut entries, mut parameters) = (Entries::new(), Entries::new());
+        let parameters = match self.parameters {
+            IntegerSlice::Words(words) => R::of_words(words, &mut parameters),
+            IntegerSlice::Any(list) => {
+                parameters.extend(list.iter().map(integer));
+                &parameters
+            }
         };
-        let mut parameters: SmallVec<[R; 32]> = SmallVec::new();
-        self.parameters.iter().for_each(|parameter| parameters.push(integer(parameter)));
-        let results = self.task.run(numerators, &parameters);
-        let mut reduced = Vec::with_capacity(results.len());
-        let mut results = results.into_iter();
+        let entries = match self.words {
+            Some(words) => R::of_words_mut(words, &mut entries),
+            None => {
+                entries.extend(self.data.iter().map(|value| self.common.numerator(value)));
+                &mut entries
+            }
+        };
+        self.task.run(entries, parameters);
+        let mut reduced = Vec::with_capacity(entries.len());
+        let mut rest = &mut entries[..];
         for layout in self.layouts {
-            reduce(layout, self.common, &mut results, &mut reduced);
+            let (results, others) = rest.split_at_mut(layout.shape.points() * layout.shape.stride);
+            rest = others;
+            reduce(layout, self.common, results, &mut reduced);
         }
         reduced
     }
 }
 
-/// Brings as many results as the layout has entries to lowest terms.
-fn reduce<R: Integer>(
-    layout: &Layout<Rational>,
-    common: &CommonDenominator,
-    results: &mut impl Iterator<Item = R>,
-    reduced: &mut Vec<Rational>,
-) {
-    if R::WORDS == 1
-        && let Some(short) = ShortDenominators::<u64>::new(layout, common)
-    {
-        return short.reduce(layout, results, reduced);
-    }
-    if (1..=2).contains(&R::WORDS)
-        && let Some(short) = ShortDenominators::<u128>::new(layout, common)
-    {
-        return short.reduce(layout, results, reduced);
+/// Brings the results to lowest terms. (Long ones are taken out.)
+fn reduce<R: Integer>(layout: &Layout<'_, Rational>, common: &CommonDenominator, results: &mut [R], reduced: &mut Vec<Rational>) {
+    if (1..=2).contains(&R::WORDS) {
+        let count = reduced.len();
+        if reduce_single(layout, common, results, reduced) {
+            return;
+        }
+        reduced.truncate(count);
+        if R::WORDS == 1
+            && let Some(short) = ShortDenominators::<u64>::new(layout, common)
+        {
+            return short.reduce(layout, results, reduced);
+        }
+        if let Some(short) = ShortDenominators::<u128>::new(layout, common) {
+            return short.reduce(layout, results, reduced);
+        }
     }
     LongDenominators::new(layout, common).reduce(layout, results, reduced);
 }

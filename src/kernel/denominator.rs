@@ -4,12 +4,13 @@ use num_bigint::{BigInt, BigUint};
 use num_traits::{One, Signed, Zero};
 use smallvec::SmallVec;
 
+use super::integers::IntegerSlice;
 use super::layout::Layout;
 use super::shape::Shape;
 use crate::exact::Rational;
 use crate::exact::gcd::{gcd_big, gcd_u64};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::{Integer, powers};
+use crate::exact::width::{Entries, Integer, powers};
 
 #[inline]
 pub(crate) fn magnitude_of_integer(value: &Rational) -> Magnitude {
@@ -31,6 +32,36 @@ pub(crate) enum CommonDenominator {
 }
 
 impl CommonDenominator {
+    /// The least common denominator, the numerators over it, and the largest of
+    /// them; `None` if they are not all words.
+    #[inline]
+    pub(crate) fn of_words(data: &[Rational], words: &mut Entries<i64>) -> Option<(u64, u64)> {
+        let mut common = data.first()?.as_small()?.1;
+        let mut largest = 0;
+        words.extend(data.iter().map(|_| 0));
+        let words = &mut words[..];
+        for (place, value) in data.iter().enumerate() {
+            let (numer, denom) = value.as_small()?;
+            let mut share = 1;
+            if denom != common {
+                share = common / denom;
+                if share * denom != common {
+                    // What came before is brought over the new denominator.
+                    let missing = denom / if denom.is_multiple_of(common) { common } else { gcd_u64(common, denom) };
+                    common = common.checked_mul(missing).filter(|&common| common <= i64::MAX as u64)?;
+                    largest = u64::checked_mul(largest, missing).filter(|&largest| largest <= i64::MAX as u64)?;
+                    words[..place].iter_mut().for_each(|word| *word *= missing as i64);
+                    share = common / denom;
+                }
+            }
+            let word = numer.checked_mul(share as i64)?;
+            largest = largest.max(word.unsigned_abs());
+            words[place] = word;
+        }
+        Some((common, largest))
+    }
+
+    /// The least common denominator.
     pub(crate) fn of<'a>(data: impl IntoIterator<Item = &'a Rational> + Clone) -> Self {
         let mut common = 1u64;
         for value in data.clone() {
@@ -48,20 +79,6 @@ impl CommonDenominator {
             }
         }
         Self::Word(common)
-    }
-
-    /// The numerators and the largest of them, if everything fits a word.
-    pub(crate) fn words(&self, data: &[Rational]) -> Option<(Vec<i64>, u64)> {
-        let Self::Word(common) = *self else { return None };
-        let mut largest = 0;
-        let mut words = Vec::with_capacity(data.len());
-        for value in data {
-            let (numer, denom) = value.as_small()?;
-            let word = if denom == common { numer } else { numer.checked_mul((common / denom) as i64)? };
-            largest = largest.max(word.unsigned_abs());
-            words.push(word);
-        }
-        Some((words, largest))
     }
 
     fn of_big<'a>(data: impl IntoIterator<Item = &'a Rational>) -> Self {
@@ -130,6 +147,13 @@ fn integer_of_big<R: Integer>(value: &Rational) -> R {
     R::from_big(&value.numer())
 }
 
+fn big_integers(integers: IntegerSlice<'_, Rational>) -> Vec<BigInt> {
+    match integers {
+        IntegerSlice::Words(words) => words.iter().map(|&word| BigInt::from(word)).collect(),
+        IntegerSlice::Any(list) => list.iter().map(integer).collect(),
+    }
+}
+
 /// The degree at every vertex of a shape, factor by factor.
 fn vertex_degrees(shape: &Shape) -> impl Iterator<Item = usize> {
     shape.factors.iter().flat_map(|factor| std::iter::repeat_n(factor.degree, factor.dimension + 1))
@@ -143,27 +167,25 @@ fn vertex_degrees(shape: &Shape) -> impl Iterator<Item = usize> {
 pub(crate) struct LongDenominators {
     constant: BigInt,
     powers: SmallVec<[SmallVec<[BigInt; 16]>; 3]>,
-    multinomials: Vec<BigInt>,
+    multinomials: Entries<BigInt>,
     /// The product of the scales if it fits a word: every prime of their powers divides it.
     radical: Option<u64>,
 }
 
 impl LongDenominators {
-    pub(crate) fn new(layout: &Layout<Rational>, common: &CommonDenominator) -> Self {
-        let scales = || layout.scales.iter().map(integer::<BigInt>);
-        let radical = scales().product::<BigInt>().abs();
+    pub(crate) fn new(layout: &Layout<'_, Rational>, common: &CommonDenominator) -> Self {
+        let scales = big_integers(layout.scales);
+        let radical = scales.iter().product::<BigInt>().abs();
         Self {
-            constant: layout
-                .divisors
-                .iter()
-                .fold(integer::<BigInt>(&layout.constant) * common.to_big(), |constant, divisor| constant * integer::<BigInt>(divisor)),
-            powers: scales().zip(vertex_degrees(&layout.shape)).map(|(scale, degree)| powers(&scale, degree)).collect(),
+            constant: common.to_big() * big_integers(layout.divisors).iter().product::<BigInt>(),
+            powers: scales.iter().zip(vertex_degrees(&layout.shape)).map(|(scale, degree)| powers(scale, degree)).collect(),
             multinomials: layout.multinomials(),
             radical: u64::try_from(radical).ok(),
         }
     }
 
-    pub(crate) fn reduce<R: Integer>(&self, layout: &Layout<Rational>, results: &mut impl Iterator<Item = R>, reduced: &mut Vec<Rational>) {
+    pub(crate) fn reduce<R: Integer>(&self, layout: &Layout<'_, Rational>, results: &mut [R], reduced: &mut Vec<Rational>) {
+        let mut results = results.iter_mut().map(|result| std::mem::replace(result, R::nothing()));
         let mut multinomials = self.multinomials.iter();
         let one = BigInt::one();
         layout.shape.for_each(|exponents| {

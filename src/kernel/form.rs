@@ -5,19 +5,22 @@
 //! common multiple of multinomial numbers is ever needed. The coefficients
 //! `a_k` of an equation are the form over the origin and the direction.
 
+use std::ops::DerefMut;
+
 use smallvec::SmallVec;
 
 use super::shape::{Factor, Shape};
 use crate::exact::width::{Ring, powers};
 
-/// A map in the homogeneous coordinates of its frame's vertices.
+/// A map in the homogeneous coordinates of its frame's vertices, its entries
+/// held as a list or as a slice of somebody else's.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Form<R> {
+pub(crate) struct Form<E> {
     pub(crate) shape: Shape,
-    pub(crate) entries: Vec<R>,
+    pub(crate) entries: E,
 }
 
-impl<R: Ring> Form<R> {
+impl<R: Ring, E: DerefMut<Target = [R]>> Form<E> {
     /// Replaces one vertex of a factor by the combination of all its vertices
     /// with these weights; the weight at `vertex` itself must not be zero if
     /// the new vertices are to be a frame.
@@ -52,16 +55,30 @@ impl<R: Ring> Form<R> {
         if simplex.dimension != 1 {
             return self.with_powers_of_simplex(factor, vertex, weight, apply);
         }
-        let (outer, inner) = self.shape.blocks(factor);
-        for block in blocks(&mut self.entries, outer, (simplex.degree + 1) * inner) {
+        let inner = self.shape.inner(factor);
+        for_each_block(&mut self.entries, (simplex.degree + 1) * inner, |block| {
             // The exponents of a curve count up or down: one running power.
-            match (vertex, inner) {
-                (1, 1) => apply_powers(block[1..].iter_mut().map(std::slice::from_mut), weight, &apply),
-                (1, _) => apply_powers(block[inner..].chunks_exact_mut(inner), weight, &apply),
-                (_, 1) => apply_powers(block[..simplex.degree].iter_mut().map(std::slice::from_mut).rev(), weight, &apply),
-                _ => apply_powers(block[..simplex.degree * inner].chunks_exact_mut(inner).rev(), weight, &apply),
+            let mut power = R::unit();
+            if inner == 1 {
+                // One coordinate is frequent, and not worth a loop of its own.
+                let next = |scalar: &mut R| {
+                    power.multiply(weight);
+                    apply(scalar, &power);
+                };
+                return match vertex {
+                    1 => block[1..].iter_mut().for_each(next),
+                    _ => block[..simplex.degree].iter_mut().rev().for_each(next),
+                };
             }
-        }
+            let next = |point: &mut [R]| {
+                power.multiply(weight);
+                point.iter_mut().for_each(|scalar| apply(scalar, &power));
+            };
+            match vertex {
+                1 => block[inner..].chunks_exact_mut(inner).for_each(next),
+                _ => block[..simplex.degree * inner].chunks_exact_mut(inner).rev().for_each(next),
+            }
+        });
     }
 
     #[inline(never)]
@@ -99,15 +116,15 @@ impl<R: Ring> Form<R> {
     #[inline]
     fn shear_by(&mut self, factor: usize, source: usize, target: usize, add: impl Fn(&mut R, &R)) {
         let simplex = self.shape.factors[factor];
-        let (outer, inner) = self.shape.blocks(factor);
-        let blocks = blocks(&mut self.entries, outer, simplex.count() * inner);
+        let inner = self.shape.inner(factor);
         if simplex.dimension == 1 {
             // Neighbours on the one line of a curve are neighbours in memory.
-            blocks.for_each(|block| if target == 1 { shear_up(block, inner, &add) } else { shear_down(block, inner, &add) });
-            return;
+            return for_each_block(&mut self.entries, (simplex.degree + 1) * inner, |block| {
+                if target == 1 { shear_up(block, inner, &add) } else { shear_down(block, inner, &add) }
+            });
         }
         let lines = lines(simplex, source, target);
-        for block in blocks {
+        for_each_block(&mut self.entries, simplex.count() * inner, |block| {
             for line in &lines {
                 // Horner's scheme: each pass carries one power of x_source over.
                 for last in (1..line.len()).rev() {
@@ -119,9 +136,11 @@ impl<R: Ring> Form<R> {
                     }
                 }
             }
-        }
+        });
     }
+}
 
+impl<R: Ring> Form<Vec<R>> {
     /// The form of the same map with `by` more arguments in a factor: the form
     /// times that power of the sum of the factor's coordinates. Over vertices
     /// that are points this sum is 1.
@@ -166,8 +185,8 @@ impl<R: Ring> Form<R> {
     /// The product of two maps over the same vertices, coordinate by
     /// coordinate; a map with one coordinate multiplies every coordinate of the other.
     pub(crate) fn product(&self, other: &Self) -> Self {
-        let mut shape = self.shape.clone();
-        for (factor, more) in shape.factors.iter_mut().zip(&other.shape.factors) {
+        let mut shape = self.shape;
+        for (factor, more) in shape.factors.iter_mut().zip(other.shape.factors.iter()) {
             factor.degree += more.degree;
         }
         let stride = self.shape.stride.max(other.shape.stride);
@@ -194,7 +213,7 @@ impl<R: Ring> Form<R> {
     pub(crate) fn value(&self, weights: &[R]) -> Vec<R> {
         let mut tables: SmallVec<[SmallVec<[R; 16]>; 3]> = SmallVec::new();
         let mut rest = weights;
-        for factor in &self.shape.factors {
+        for factor in self.shape.factors.iter() {
             let (own, others) = rest.split_at(factor.dimension + 1);
             rest = others;
             tables.extend(own.iter().map(|weight| powers(weight, factor.degree)));
@@ -218,28 +237,15 @@ impl<R: Ring> Form<R> {
     }
 }
 
-/// The entries in pieces of one length. (`chunks_exact_mut` would divide, which
-/// is felt on the few entries of a cubic.)
+/// Visits the entries in pieces of one length. (`chunks_exact_mut` would divide,
+/// which is felt on the few entries of a cubic.)
 #[inline]
-fn blocks<R>(mut entries: &mut [R], count: usize, length: usize) -> impl Iterator<Item = &mut [R]> {
-    (0..count).map(move |_| {
-        let (block, rest) = std::mem::take(&mut entries).split_at_mut(length);
+fn for_each_block<R>(mut entries: &mut [R], length: usize, mut visit: impl FnMut(&mut [R])) {
+    while let Some((block, rest)) = entries.split_at_mut_checked(length)
+        && length > 0
+    {
+        visit(block);
         entries = rest;
-        block
-    })
-}
-
-/// Applies the first, second, … power of the weight to the points in turn.
-#[inline]
-fn apply_powers<'a, R: Ring + 'a>(points: impl Iterator<Item = &'a mut [R]>, weight: &R, apply: impl Fn(&mut R, &R)) {
-    let mut power = R::unit();
-    for point in points {
-        power.multiply(weight);
-        match point {
-            // One coordinate is frequent, and not worth a vector loop.
-            [scalar] => apply(scalar, &power),
-            point => point.iter_mut().for_each(|scalar| apply(scalar, &power)),
-        }
     }
 }
 
@@ -327,12 +333,12 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn triangle(degree: usize, entries: Vec<i128>) -> Form<i128> {
-        Form { shape: Shape { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree }]), stride: 1 }, entries }
+    fn triangle(degree: usize, entries: Vec<i128>) -> Form<Vec<i128>> {
+        Form { shape: Shape::triangle(degree, 1), entries }
     }
 
     /// The form as a polynomial: its value at homogeneous coordinates.
-    fn value(form: &Form<i128>, at: &[i128]) -> Vec<i128> {
+    fn value(form: &Form<Vec<i128>>, at: &[i128]) -> Vec<i128> {
         let mut sums = vec![0; form.shape.stride];
         let mut entries = form.entries.chunks_exact(form.shape.stride);
         form.shape.for_each(|exponents| {
@@ -372,8 +378,8 @@ mod tests {
         ) {
             let degree = 12 / stride - 1;
             let words = Form { shape: Shape::curve(degree, stride), entries: entries[..(degree + 1) * stride].to_vec() };
-            let mut long = Form { shape: words.shape.clone(), entries: words.entries.iter().map(|&x| num_bigint::BigInt::from(x)).collect() };
-            let mut double = Form { shape: words.shape.clone(), entries: words.entries.iter().map(|&x| i128::from(x)).collect() };
+            let mut long: Form<Vec<_>> = Form { shape: words.shape, entries: words.entries.iter().map(|&x| num_bigint::BigInt::from(x)).collect() };
+            let mut double: Form<Vec<i128>> = Form { shape: words.shape, entries: words.entries.iter().map(|&x| i128::from(x)).collect() };
             let before = double.clone();
             long.replace(0, vertex, &weights.map(num_bigint::BigInt::from));
             double.replace(0, vertex, &weights.map(i128::from));

@@ -1,68 +1,73 @@
 //! What the entries of a result are divided by.
 
-use smallvec::SmallVec;
-
-use super::shape::Shape;
-use crate::exact::width::Ring;
+use super::integers::IntegerSlice;
+use super::shape::{Factor, Shape};
+use crate::exact::width::{Entries, Ring};
 
 /// What the numbers of a result are to be divided by: for the entry with
-/// exponents `α`, the constant and the divisors, each vertex's scale to the power of its
+/// exponents `α`, the divisors, each vertex's scale to the power of its
 /// exponent, and, if asked for, the multinomial number of `α`.
-#[derive(Clone, Debug)]
-pub struct Layout<C> {
+#[derive(Clone, Copy, Debug)]
+pub struct Layout<'a, C> {
     pub(crate) shape: Shape,
-    pub(crate) scales: SmallVec<[C; 3]>,
+    pub(crate) scales: IntegerSlice<'a, C>,
     pub(crate) multinomial: bool,
-    pub(crate) constant: C,
-    /// Factors of the constant that are better not multiplied out beforehand.
-    pub(crate) divisors: SmallVec<[C; 4]>,
+    pub(crate) divisors: IntegerSlice<'a, C>,
 }
 
-impl<C> Layout<C> {
+impl<C> Layout<'_, C> {
     /// The multinomial number of every entry, or nothing where none is asked for.
-    pub(crate) fn multinomials<R: Ring>(&self) -> Vec<R> {
-        if self.multinomial { multinomials(&self.shape) } else { Vec::new() }
+    pub(crate) fn multinomials<R: Ring>(&self) -> Entries<R> {
+        if self.multinomial { multinomials(&self.shape) } else { Entries::new() }
     }
 }
 
 /// The multinomial numbers of a shape, in the order of its points.
-pub(crate) fn multinomials<R: Ring>(shape: &Shape) -> Vec<R> {
-    let mut rows = shape.factors.iter().map(|factor| multinomial_row::<R>(factor.dimension, factor.degree));
-    let mut all = rows.next().unwrap_or_else(|| vec![R::unit()]);
-    for row in rows {
-        all = all
-            .iter()
-            .flat_map(|outer| {
-                row.iter().map(|inner| {
-                    let mut product = outer.clone();
-                    product.multiply(inner);
-                    product
-                })
-            })
-            .collect();
-    }
+pub(crate) fn multinomials<R: Ring>(shape: &Shape) -> Entries<R> {
+    let mut all = Entries::new();
+    push_multinomials(shape, &R::unit(), &mut all);
     all
 }
 
-fn multinomial_row<R: Ring>(dimension: usize, degree: usize) -> Vec<R> {
-    if dimension == 0 {
-        return vec![R::unit()];
-    }
-    let mut row = Vec::with_capacity(degree + 1);
-    let mut binomial = R::unit();
-    for first in 0..=degree {
-        if dimension == 1 {
-            row.push(binomial.clone());
-        } else {
-            row.extend(multinomial_row::<R>(dimension - 1, degree - first).into_iter().map(|mut rest| {
-                rest.multiply(&binomial);
-                rest
-            }));
+/// Appends the multinomial numbers of a shape times a number.
+#[inline]
+pub(crate) fn push_multinomials<R: Ring>(shape: &Shape, times: &R, all: &mut Entries<R>) {
+    match shape.factors[..] {
+        [factor] => push_row(factor, times, all),
+        _ => {
+            let mut outer = Entries::new();
+            push_row(shape.factors[0], times, &mut outer);
+            outer.iter().for_each(|number| push_row(shape.factors[1], number, all));
         }
+    }
+}
+
+/// The same for one simplex.
+#[inline]
+fn push_row<R: Ring>(Factor { dimension, degree }: Factor, times: &R, row: &mut Entries<R>) {
+    if dimension != 1 {
+        return push_simplex(dimension, degree, times, row);
+    }
+    let start = row.len();
+    row.resize(start + degree + 1, R::nothing());
+    let mut binomial = times.clone();
+    for (first, entry) in row[start..].iter_mut().enumerate() {
+        *entry = binomial.clone();
         binomial.multiply(&R::from_count(degree - first));
         binomial.divide_exactly(&R::from_count(first + 1));
     }
-    row
+}
+
+fn push_simplex<R: Ring>(dimension: usize, degree: usize, times: &R, row: &mut Entries<R>) {
+    if dimension == 0 {
+        return row.push(times.clone());
+    }
+    let mut binomial = times.clone();
+    for first in 0..=degree {
+        push_row(Factor { dimension: dimension - 1, degree: degree - first }, &binomial, row);
+        binomial.multiply(&R::from_count(degree - first));
+        binomial.divide_exactly(&R::from_count(first + 1));
+    }
 }
 
 /// Multiplies every entry of a net by its multinomial number: the net becomes a form.
@@ -74,14 +79,19 @@ pub(crate) fn multiply_by_multinomials<R: Ring>(shape: &Shape, entries: &mut [R]
     }
 }
 
-impl<C: Ring> Layout<C> {
-    /// Every entry over the same number.
-    pub(crate) fn constant(shape: Shape, constant: C) -> Self {
-        Self { shape, scales: SmallVec::new(), multinomial: false, constant, divisors: SmallVec::new() }
+impl<'a, C> Layout<'a, C> {
+    /// Every entry over the same numbers.
+    pub(crate) fn constant(shape: Shape, divisors: IntegerSlice<'a, C>) -> Self {
+        Self { shape, scales: IntegerSlice::NONE, multinomial: false, divisors }
     }
 
-    /// A form over vertices that are points, to be read as a net.
-    pub(crate) fn form(shape: Shape) -> Self {
-        Self { shape, scales: SmallVec::new(), multinomial: true, constant: C::unit(), divisors: SmallVec::new() }
+    /// A net over vertices with these scales.
+    pub(crate) fn net(shape: Shape, scales: IntegerSlice<'a, C>) -> Self {
+        Self { shape, scales, multinomial: false, divisors: IntegerSlice::NONE }
+    }
+
+    /// A form over vertices with these scales (none if all are points), to be read as a net.
+    pub(crate) fn form(shape: Shape, scales: IntegerSlice<'a, C>) -> Self {
+        Self { shape, scales, multinomial: true, divisors: IntegerSlice::NONE }
     }
 }

@@ -13,6 +13,7 @@
 pub(crate) mod coefficient;
 pub(crate) mod denominator;
 pub(crate) mod form;
+pub(crate) mod integers;
 pub(crate) mod layout;
 pub(crate) mod net;
 pub(crate) mod reframe;

@@ -35,7 +35,7 @@ impl<R: Ring> Net<R> {
     /// the entries with exponent `l` there.
     pub(crate) fn scheme(&self, factor: usize, weights: &[R]) -> Self {
         let Factor { dimension, degree } = self.shape.factors[factor];
-        let mut shape = self.shape.clone();
+        let mut shape = self.shape;
         shape.factors[factor] = Factor { dimension: dimension + 1, degree };
         let (outer, inner) = self.shape.blocks(factor);
         let block = self.shape.factors[factor].count() * inner;
@@ -54,23 +54,17 @@ impl<R: Ring> Net<R> {
     }
 }
 
-impl<R: Ring> Net<R> {
-    /// De Casteljau's algorithm on a curve, in place: the net ends as its own
-    /// right half, and the left half is returned. Memory stays linear.
-    pub(crate) fn split(&mut self, weights: &[R; 2]) -> Vec<R> {
-        let (degree, stride) = (self.shape.factors[0].degree, self.shape.stride);
-        let mut left = Vec::with_capacity(self.entries.len());
-        left.extend_from_slice(&self.entries[..stride]);
-        for rest in (1..=degree).rev() {
-            for position in 0..rest * stride {
-                let (head, tail) = self.entries.split_at_mut(position + stride);
-                let entry = &mut head[position];
-                entry.multiply(&weights[0]);
-                entry.add_product(&tail[0], &weights[1]);
-            }
-            left.extend_from_slice(&self.entries[..stride]);
+/// De Casteljau's algorithm on a curve, in place: the points end as those of
+/// the right half, and those of the left half are written into `left`. Memory stays linear.
+pub(crate) fn split<R: Ring>(points: &mut [R], left: &mut [R], stride: usize, [first, second]: [&R; 2]) {
+    for (rest, done) in (0..points.len()).step_by(stride).rev().zip(left.chunks_exact_mut(stride)) {
+        done.clone_from_slice(&points[..stride]);
+        for position in 0..rest {
+            let (head, tail) = points.split_at_mut(position + stride);
+            let entry = &mut head[position];
+            entry.multiply(first);
+            entry.add_product(&tail[0], second);
         }
-        left
     }
 }
 
@@ -107,7 +101,7 @@ mod tests {
     use super::*;
 
     fn triangle(entries: Vec<i64>) -> Net<i64> {
-        Net { shape: Shape { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree: 2 }]), stride: 1 }, entries }
+        Net { shape: Shape::triangle(2, 1), entries }
     }
 
     #[test]
@@ -138,17 +132,17 @@ mod tests {
 
     #[test]
     fn splitting_in_place_reads_the_scheme() {
-        let mut net = Net { shape: Shape::curve(3, 1), entries: vec![1i64, 5, -2, 7] };
-        let scheme = net.scheme(0, &[3, 4]).entries;
-        let left = net.split(&[3, 4]);
+        let mut points = [1i64, 5, -2, 7];
+        let mut left = [0; 4];
+        let scheme = Net { shape: Shape::curve(3, 1), entries: points.to_vec() }.scheme(0, &[3, 4]).entries;
+        split(&mut points, &mut left, 1, [&3, &4]);
         assert_eq!(left, [scheme[0], scheme[4], scheme[7], scheme[9]]);
-        assert_eq!(net.entries, [scheme[9], scheme[8], scheme[6], scheme[3]]);
+        assert_eq!(points, [scheme[9], scheme[8], scheme[6], scheme[3]]);
     }
 
     #[test]
     fn rectangles_step_in_one_factor_at_a_time() {
-        let line = Factor { dimension: 1, degree: 1 };
-        let net = Net { shape: Shape { factors: SmallVec::from_slice(&[line, line]), stride: 1 }, entries: vec![1i64, 2, 3, 5] };
+        let net = Net { shape: Shape::rectangle(1, 1, 1), entries: vec![1i64, 2, 3, 5] };
         assert_eq!(net.step(0, &[1, 1]).entries, [4, 7]);
         assert_eq!(net.step(1, &[1, 1]).entries, [3, 8]);
         assert_eq!(net.step(0, &[2, 3]).step(1, &[5, 7]).entries, net.step(1, &[5, 7]).step(0, &[2, 3]).entries);

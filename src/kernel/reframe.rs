@@ -3,6 +3,7 @@
 use smallvec::{SmallVec, smallvec};
 
 use super::form::Form;
+use super::integers::{IntegerSlice, Integers};
 use crate::exact::magnitude::Magnitude;
 use crate::exact::width::Ring;
 
@@ -14,62 +15,88 @@ use crate::exact::width::Ring;
 /// multiplied by it, and what that adds to the entries is divided out at the
 /// end, exactly (fraction-free elimination).
 ///
-/// The plan itself holds no numbers. Its parameters are made with it, in the
-/// ring of the frames, and handed back when it is applied, in the ring of the
-/// entries: a row of weights for each replacement, then for each new vertex the
-/// surplus that its entries carry, to the power of their exponent.
-#[derive(Clone, Debug)]
+/// The plan itself holds no numbers. Its parameters are made with it and handed
+/// back when it is applied, in the ring of the entries: a row of weights for
+/// each replacement, then for each new vertex the surplus that its entries
+/// carry, to the power of their exponent.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Reframe {
     factor: usize,
-    /// The old vertex in whose place each new one is put, in order.
-    places: SmallVec<[usize; 3]>,
+    places: Places,
     /// The largest sum of the absolute weights on one old vertex, if only the
     /// result needs to fit: every surplus can be undone modulo a power of two.
     column: Option<Magnitude>,
 }
 
-/// The parameters of a [`Reframe`].
-pub(crate) type Parameters<R> = SmallVec<[R; 6]>;
+/// The old vertex in whose place each new one is put, in order.
+#[derive(Clone, Copy, Debug)]
+struct Places {
+    list: [u8; 3],
+    count: u8,
+}
+
+impl Places {
+    #[inline]
+    fn iter(&self) -> impl ExactSizeIterator<Item = usize> {
+        self.list[..usize::from(self.count)].iter().map(|&place| usize::from(place))
+    }
+
+    #[inline]
+    fn push(&mut self, place: usize) {
+        self.list[usize::from(self.count)] = place as u8;
+        self.count += 1;
+    }
+
+    /// A free place that fits, the next one's own if that does.
+    #[inline]
+    fn find(&self, fits: impl Fn(usize) -> bool, size: usize) -> Option<usize> {
+        let own = usize::from(self.count);
+        let free = |place: usize| self.iter().all(|taken| taken != place) && fits(place);
+        if free(own) { Some(own) } else { (0..size).find(|&place| free(place)) }
+    }
+}
 
 impl Reframe {
     /// The plan for new vertices given by rows of weights on the old ones, or
-    /// `None` if they are not a frame.
-    pub(crate) fn new<R: Ring>(factor: usize, size: usize, rows: Parameters<R>) -> Option<(Self, Parameters<R>)> {
+    /// `None` if they are not a frame. Appends its parameters.
+    #[inline]
+    pub(crate) fn new<R: Ring>(factor: usize, size: usize, rows: IntegerSlice<'_, R>, parameters: &mut Integers<R>) -> Option<Self> {
+        let start = parameters.as_slice().len();
+        parameters.extend(rows);
+        (0..size).for_each(|_| parameters.push_word(1));
         // Short integers are eliminated as such: every step adds one bit to twice the bits.
         let bits = 48 >> (size - 1).min(6);
-        let mut words: Parameters<i64> = smallvec![0; size * size];
-        for (word, weight) in words.iter_mut().zip(&rows) {
-            match weight.as_word() {
-                Some(short) if short.unsigned_abs() >> bits == 0 => *word = short,
-                _ => return Self::eliminate(factor, size, rows),
+        if let Integers::Words(words) = parameters {
+            let own = &mut words[start..];
+            if own.iter().all(|word| word.unsigned_abs() >> bits == 0) {
+                return Self::eliminate(factor, size, own);
             }
         }
-        let (plan, words) = Self::eliminate(factor, size, words)?;
-        Some((plan, words.iter().map(|&word| R::from_word(word)).collect()))
+        Self::eliminate(factor, size, &mut parameters.as_elements_mut()[start..])
     }
 
-    fn eliminate<R: Ring>(factor: usize, size: usize, mut rows: Parameters<R>) -> Option<(Self, Parameters<R>)> {
-        let mut places: SmallVec<[usize; 3]> = SmallVec::new();
-        let mut surplus: Parameters<R> = smallvec![R::unit(); size];
+    /// Makes rows of replacements of rows of weights, and the surplus of ones after them.
+    #[inline]
+    fn eliminate<R: Ring>(factor: usize, size: usize, rows: &mut [R]) -> Option<Self> {
+        let (rows, surplus) = rows.split_at_mut(size * size);
         let mut column = Magnitude::ONE;
         for vertex in 0..size {
-            let sum = (0..size).fold(Magnitude::ZERO, |sum, new| sum.plus(rows[new * size + vertex].magnitude()));
-            column = column.max(sum);
+            column = column.max((0..size).fold(Magnitude::ZERO, |sum, new| sum.plus(rows[new * size + vertex].magnitude())));
         }
+        let mut places = Places { list: [0; 3], count: 0 };
         let mut undone = true;
         for new in 0..size {
             // Its own place where possible, so that nothing needs reordering;
             // but rather a place with an odd weight, which can be undone.
-            let weights = &rows[new * size..(new + 1) * size];
-            let vertex = match place(new, &places, |vertex| weights[vertex].is_odd(), size) {
+            let (done, rest) = rows.split_at_mut((new + 1) * size);
+            let row = &done[new * size..];
+            let vertex = match places.find(|vertex| row[vertex].is_odd(), size) {
                 Some(vertex) => vertex,
                 None => {
                     undone &= new + 1 == size;
-                    place(new, &places, |vertex| !weights[vertex].is_nothing(), size)?
+                    places.find(|vertex| !row[vertex].is_nothing(), size)?
                 }
             };
-            let (done, rest) = rows.split_at_mut((new + 1) * size);
-            let row = &done[new * size..];
             for (other, surplus) in rest.chunks_exact_mut(size).zip(&mut surplus[new + 1..]) {
                 let at_vertex = other[vertex].clone();
                 for position in (0..size).filter(|&position| position != vertex) {
@@ -82,13 +109,17 @@ impl Reframe {
             }
             places.push(vertex);
         }
-        rows.extend(surplus);
-        Some((Self { factor, places, column: undone.then_some(column) }, rows))
+        Some(Self { factor, places, column: undone.then_some(column) })
     }
 
     /// How many parameters go with the plan: a row for each new vertex, and its surplus.
     pub(crate) fn parameter_count(&self) -> usize {
-        self.places.len() * (self.places.len() + 1)
+        let size = self.size();
+        size * (size + 1)
+    }
+
+    fn size(&self) -> usize {
+        self.places.iter().len()
     }
 
     /// The factor that is brought over.
@@ -105,8 +136,8 @@ impl Reframe {
             return column.power(degree);
         }
         let sizes: Vec<Magnitude> = parameters.iter().map(R::magnitude).collect();
-        let rows = sizes.chunks_exact(self.places.len());
-        self.places.iter().zip(rows).fold(Magnitude::ONE, |growth, (&vertex, row)| {
+        let rows = sizes.chunks_exact(self.size());
+        self.places.iter().zip(rows).fold(Magnitude::ONE, |growth, (vertex, row)| {
             // A coordinate x_u becomes x_u + w_u z, the replaced one w z.
             let column = row.iter().enumerate().fold(row[vertex].max(Magnitude::ONE), |largest, (position, &weight)| {
                 if position == vertex { largest } else { largest.max(weight.plus(Magnitude::ONE)) }
@@ -115,13 +146,13 @@ impl Reframe {
         })
     }
 
-    pub(crate) fn apply<R: Ring>(&self, form: &mut Form<R>, parameters: &[R]) {
-        let size = self.places.len();
+    pub(crate) fn apply<R: Ring>(&self, form: &mut Form<&mut [R]>, parameters: &[R]) {
+        let size = self.size();
         let (rows, surplus) = parameters.split_at(size * size);
-        for (&vertex, weights) in self.places.iter().zip(rows.chunks_exact(size)) {
+        for (vertex, weights) in self.places.iter().zip(rows.chunks_exact(size)) {
             form.replace(self.factor, vertex, weights);
         }
-        for (&vertex, surplus) in self.places.iter().zip(surplus) {
+        for (vertex, surplus) in self.places.iter().zip(surplus) {
             if !surplus.is_unit() {
                 form.unscale(self.factor, vertex, surplus);
             }
@@ -130,8 +161,8 @@ impl Reframe {
     }
 
     /// Puts the new vertices in their own places.
-    fn reorder<R: Ring>(&self, form: &mut Form<R>) {
-        if self.places.iter().enumerate().all(|(new, &place)| new == place) {
+    fn reorder<R: Ring>(&self, form: &mut Form<&mut [R]>) {
+        if self.places.iter().enumerate().all(|(new, place)| new == place) {
             return;
         }
         let simplex = form.shape.factors[self.factor];
@@ -140,27 +171,20 @@ impl Reframe {
         for repeat in 0..outer {
             simplex.for_each(|exponents| {
                 let mut placed: SmallVec<[usize; 4]> = smallvec![0; exponents.len()];
-                for (new, &place) in self.places.iter().enumerate() {
+                for (new, place) in self.places.iter().enumerate() {
                     placed[place] = exponents[new];
                 }
                 let start = (repeat * simplex.count() + simplex.index(&placed[1..])) * inner;
                 entries.extend_from_slice(&form.entries[start..start + inner]);
             });
         }
-        form.entries = entries;
+        form.entries.iter_mut().zip(entries).for_each(|(place, entry)| *place = entry);
     }
-}
-
-/// A free place that fits, its own if that does.
-#[inline]
-fn place(new: usize, taken: &[usize], fits: impl Fn(usize) -> bool, size: usize) -> Option<usize> {
-    let free = |vertex: usize| !taken.contains(&vertex) && fits(vertex);
-    if free(new) { Some(new) } else { (0..size).find(|&vertex| free(vertex)) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::shape::{Factor, Shape};
+    use super::super::shape::Shape;
     use super::*;
     use num_bigint::BigInt;
     use proptest::prelude::*;
@@ -173,18 +197,20 @@ mod tests {
         /// Over the new vertices, the entry of a pure power is a value at the vertex.
         #[test]
         fn corner_entries_are_values(entries in prop::collection::vec(-30i64..30, 10), rows in prop::array::uniform9(-3i64..4)) {
-            let shape = Shape { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree: 3 }]), stride: 1 };
-            let form = Form { shape, entries: entries.iter().map(|&x| BigInt::from(x)).collect() };
+            let shape = Shape::triangle(3, 1);
+            let form: Form<Vec<BigInt>> = Form { shape, entries: entries.iter().map(|&x| BigInt::from(x)).collect() };
             let rows: Vec<BigInt> = rows.iter().map(|&x| BigInt::from(x)).collect();
             let determinant = &rows[0] * (&rows[4] * &rows[8] - &rows[5] * &rows[7])
                 - &rows[1] * (&rows[3] * &rows[8] - &rows[5] * &rows[6])
                 + &rows[2] * (&rows[3] * &rows[7] - &rows[4] * &rows[6]);
-            let plan = Reframe::new(0, 3, rows.iter().cloned().collect());
+            let mut parameters = Integers::default();
+            let plan = Reframe::new(0, 3, IntegerSlice::Any(&rows), &mut parameters);
             prop_assert_eq!(plan.is_some(), determinant != BigInt::ZERO);
-            if let Some((plan, parameters)) = plan {
+            if let Some(plan) = plan {
+                let parameters = parameters.as_slice().to_elements();
                 let mut reframed = form.clone();
-                plan.apply(&mut reframed, &parameters);
-                let total = |form: &Form<BigInt>| form.entries.iter().map(|x| x.magnitude().clone()).sum::<num_bigint::BigUint>();
+                plan.apply(&mut Form { shape, entries: &mut reframed.entries }, &parameters);
+                let total = |form: &Form<Vec<BigInt>>| form.entries.iter().map(|x| x.magnitude().clone()).sum::<num_bigint::BigUint>();
                 let bound = plan.growth(3, &parameters).times(Magnitude::from_big(&total(&form)));
                 prop_assert!(total(&reframed).bits() <= bound.bits());
                 for (new, index) in [(0, 0), (1, 9), (2, 3)] {
@@ -208,10 +234,11 @@ mod tests {
             prop_assume!(power <= degree && r != s);
             let mut form = Form { shape: Shape::curve(degree, 1), entries: vec![0i64; degree + 1] };
             form.entries[power] = 1;
-            let plan = Reframe::new(0, 2, smallvec![1, r, 1, s]);
+            let mut parameters = Integers::default();
+            let plan = Reframe::new(0, 2, IntegerSlice::<i64>::Words(&[1, r, 1, s]), &mut parameters);
             prop_assert!(plan.is_some());
-            if let Some((plan, parameters)) = plan {
-                plan.apply(&mut form, &parameters);
+            if let Some(plan) = plan {
+                plan.apply(&mut Form { shape: form.shape, entries: &mut form.entries }, &parameters.as_slice().to_elements());
             }
             // The definition: C(m,k) of f(r^{m-k} s^k) = sum over subsets / C(m,power).
             for k in 0..=degree {

@@ -10,6 +10,9 @@
 //!   label     tt  ts  ss  tr  rs  rr
 //! ```
 
+use std::fmt;
+use std::ops::{Deref, DerefMut};
+
 use smallvec::SmallVec;
 
 /// One simplex of the product.
@@ -74,56 +77,95 @@ impl Factor {
     }
 }
 
-/// The layout of a net: simplices, outermost first, then the coordinates of a point.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Shape {
-    pub(crate) factors: SmallVec<[Factor; 2]>,
-    /// The number of coordinates of a point.
-    pub(crate) stride: usize,
+/// One simplex or the product of two: as a slice, outermost first.
+#[derive(Clone, Copy)]
+pub(crate) struct Factors {
+    list: [Factor; 2],
+    both: bool,
 }
 
-/// The factors are copied in one piece; derived, they would be cloned one by one.
-impl Clone for Shape {
+impl Deref for Factors {
+    type Target = [Factor];
     #[inline]
-    fn clone(&self) -> Self {
-        Self { factors: SmallVec::from_slice(&self.factors), stride: self.stride }
+    fn deref(&self) -> &[Factor] {
+        if self.both { &self.list } else { &self.list[..1] }
     }
+}
+
+impl DerefMut for Factors {
+    #[inline]
+    fn deref_mut(&mut self) -> &mut [Factor] {
+        if self.both { &mut self.list } else { &mut self.list[..1] }
+    }
+}
+
+impl From<Factor> for Factors {
+    #[inline]
+    fn from(factor: Factor) -> Self {
+        Self { list: [factor; 2], both: false }
+    }
+}
+
+impl From<[Factor; 2]> for Factors {
+    fn from(list: [Factor; 2]) -> Self {
+        Self { list, both: true }
+    }
+}
+
+impl PartialEq for Factors {
+    fn eq(&self, other: &Self) -> bool {
+        self[..] == other[..]
+    }
+}
+
+impl fmt::Debug for Factors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self[..].fmt(f)
+    }
+}
+
+/// The layout of a net: simplices, then the coordinates of a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shape {
+    pub(crate) factors: Factors,
+    /// The number of coordinates of a point.
+    pub(crate) stride: usize,
 }
 
 impl Shape {
     /// The shape of a curve of polar degree `degree` in `stride` dimensions.
     #[inline]
     pub(crate) fn curve(degree: usize, stride: usize) -> Self {
-        Self { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree }]), stride }
+        Self { factors: Factor { dimension: 1, degree }.into(), stride }
     }
 
     /// The shape of a triangular net of total degree `degree`.
     pub(crate) fn triangle(degree: usize, stride: usize) -> Self {
-        Self { factors: SmallVec::from_slice(&[Factor { dimension: 2, degree }]), stride }
+        Self { factors: Factor { dimension: 2, degree }.into(), stride }
     }
 
     /// The shape of a rectangular net of bidegree `(p, q)`.
     pub(crate) fn rectangle(p: usize, q: usize, stride: usize) -> Self {
-        Self { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree: p }, Factor { dimension: 1, degree: q }]), stride }
+        Self { factors: [p, q].map(|degree| Factor { dimension: 1, degree }).into(), stride }
     }
 
     /// The number of points.
     #[inline]
     pub(crate) fn points(&self) -> usize {
-        if let [factor] = self.factors[..] {
-            return factor.count();
-        }
-        self.factors.iter().map(|factor| factor.count()).product()
+        let [first, second] = self.factors.list;
+        if self.factors.both { first.count() * second.count() } else { first.count() }
     }
 
     /// How often the factor repeats, and how many scalars one of its entries spans.
     #[inline]
     pub(crate) fn blocks(&self, factor: usize) -> (usize, usize) {
-        if self.factors.len() == 1 {
-            return (1, self.stride);
-        }
-        let count = |factors: &[Factor]| factors.iter().map(|factor| factor.count()).product::<usize>();
-        (count(&self.factors[..factor]), count(&self.factors[factor + 1..]) * self.stride)
+        (if factor == 0 { 1 } else { self.factors.list[0].count() }, self.inner(factor))
+    }
+
+    /// How many scalars one of the factor's entries spans.
+    #[inline]
+    pub(crate) fn inner(&self, factor: usize) -> usize {
+        if factor == 0 && self.factors.both { self.factors.list[1].count() * self.stride } else { self.stride }
     }
 
     /// The place of the point with these exponents at all vertices of all factors.
@@ -136,10 +178,9 @@ impl Shape {
         })
     }
 
-    pub(crate) fn with_degree(&self, factor: usize, degree: usize) -> Self {
-        let mut shape = self.clone();
-        shape.factors[factor].degree = degree;
-        shape
+    pub(crate) fn with_degree(mut self, factor: usize, degree: usize) -> Self {
+        self.factors[factor].degree = degree;
+        self
     }
 
     /// Calls `visit` with the exponents of every point at all vertices of all factors.
@@ -149,7 +190,7 @@ impl Shape {
             return factor.for_each(visit);
         }
         let mut lists: SmallVec<[Vec<usize>; 2]> = SmallVec::new();
-        for factor in &self.factors {
+        for factor in self.factors.iter() {
             let mut list = Vec::with_capacity(factor.count() * (factor.dimension + 1));
             factor.for_each(|exponents| list.extend_from_slice(exponents));
             lists.push(list);
@@ -191,8 +232,7 @@ mod tests {
 
     #[test]
     fn products_run_over_the_last_factor_first() {
-        let shape =
-            Shape { factors: SmallVec::from_slice(&[Factor { dimension: 1, degree: 1 }, Factor { dimension: 1, degree: 2 }]), stride: 3 };
+        let shape = Shape::rectangle(1, 2, 3);
         let mut seen = Vec::new();
         shape.for_each(|exponents| seen.push((exponents[1], exponents[3])));
         let mut next = 0;

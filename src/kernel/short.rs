@@ -2,16 +2,18 @@
 
 use super::denominator::CommonDenominator;
 use super::form::Form;
-use super::layout::Layout;
+use super::integers::IntegerSlice;
+use super::layout::{Layout, push_multinomials};
 use super::shape::{Factor, Shape};
 use crate::exact::Rational;
+use crate::exact::gcd::gcd_u64;
 use crate::exact::lowest::{PrimeSet, Word, lowest};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::{Integer, Ring};
+use crate::exact::width::{Entries, Integer, Ring};
 
 /// Denominators that fit one or two words: `W` without a sign.
 pub(crate) struct ShortDenominators<W: Word> {
-    denominators: Form<W::Signed>,
+    constant: W::Signed,
     primes: Primes,
 }
 
@@ -21,20 +23,25 @@ enum Primes {
     Only(PrimeSet),
     /// There are others beside these.
     Also(PrimeSet),
-    /// Nothing: for a result or two, looking for them would cost more than a gcd.
-    Unknown,
+}
+
+/// The integers as words, if they are and none of them is negative or zero.
+fn positive_words<'a>(integers: IntegerSlice<'a, Rational>) -> Option<&'a [i64]> {
+    match integers {
+        IntegerSlice::Words(words) if words.iter().all(|&word| word > 0) => Some(words),
+        _ => None,
+    }
 }
 
 impl<W: Word> ShortDenominators<W> {
     /// `None` if a denominator might not fit, or is negative.
-    pub(crate) fn new(layout: &Layout<Rational>, common: &CommonDenominator) -> Option<Self> {
+    #[inline]
+    pub(crate) fn new(layout: &Layout<'_, Rational>, common: &CommonDenominator) -> Option<Self> {
         let CommonDenominator::Word(common) = *common else { return None };
-        let positive = |value: &Rational| value.as_small().filter(|&(numer, _)| numer > 0).map(|(numer, _)| numer);
-        // A gcd or two cost less than looking for primes.
-        let few = layout.shape.points() * layout.shape.stride < 3;
+        let (mut scales, divisors) = (positive_words(layout.scales)?, positive_words(layout.divisors)?);
         let (mut primes, mut smooth) = (PrimeSet::EMPTY, true);
         let mut note = |value: i64| {
-            if value > 1 && !few {
+            if value > 1 {
                 let (found, rest) = PrimeSet::of(value.unsigned_abs());
                 primes = primes.union(found);
                 smooth &= rest == 1;
@@ -43,17 +50,16 @@ impl<W: Word> ShortDenominators<W> {
         let mut bound = Magnitude::from(common);
         let mut constant = <W::Signed as Ring>::from_word(common as i64);
         note(common as i64);
-        for factor in std::iter::once(&layout.constant).chain(&layout.divisors) {
-            let factor = positive(factor)?;
-            note(factor);
-            bound = bound.times(Magnitude::from(factor.unsigned_abs()));
-            constant.multiply(&<W::Signed as Ring>::from_word(factor));
+        for &divisor in divisors {
+            note(divisor);
+            bound = bound.times(Magnitude::from(divisor.unsigned_abs()));
+            constant.multiply(&<W::Signed as Ring>::from_word(divisor));
         }
-        let mut scales = layout.scales.iter();
-        for &Factor { dimension, degree } in &layout.shape.factors {
+        for &Factor { dimension, degree } in layout.shape.factors.iter() {
+            let (own, others) = scales.split_at(scales.len().min(dimension + 1));
+            scales = others;
             let mut largest = 1;
-            for scale in scales.by_ref().take(dimension + 1) {
-                let scale = positive(scale)?;
+            for &scale in own {
                 note(scale);
                 largest = largest.max(scale.unsigned_abs());
             }
@@ -63,8 +69,8 @@ impl<W: Word> ShortDenominators<W> {
                 bound = bound.times(Magnitude::from(dimension as u64 + 1).power(degree)).times(Magnitude::from(degree as u64 + 1));
             }
         }
-        if layout.multinomial && !few {
-            for factor in &layout.shape.factors {
+        if layout.multinomial {
+            for factor in layout.shape.factors.iter() {
                 let (found, all) = PrimeSet::up_to(factor.degree);
                 primes = primes.union(found);
                 smooth &= all;
@@ -73,23 +79,21 @@ impl<W: Word> ShortDenominators<W> {
         if bound.bits() > W::BITS - 1 {
             return None;
         }
-        let primes = match smooth {
-            _ if few => Primes::Unknown,
-            true => Primes::Only(primes),
-            false => Primes::Also(primes),
-        };
-        Some(Self { denominators: form_of_denominators(layout, &constant), primes })
+        let primes = if smooth { Primes::Only(primes) } else { Primes::Also(primes) };
+        Some(Self { constant, primes })
     }
 
-    pub(crate) fn reduce<R: Integer>(&self, layout: &Layout<Rational>, results: &mut impl Iterator<Item = R>, reduced: &mut Vec<Rational>) {
-        for denominator in &self.denominators.entries {
+    #[inline]
+    pub(crate) fn reduce<R: Integer>(&self, layout: &Layout<'_, Rational>, results: &[R], reduced: &mut Vec<Rational>) {
+        let mut denominators = Entries::new();
+        push_denominators(layout, &self.constant, &mut denominators);
+        for (denominator, results) in denominators.iter().zip(results.chunks_exact(layout.shape.stride)) {
             let denominator = W::of_signed(denominator);
             let (primes, rest) = match self.primes {
                 Primes::Only(primes) => (primes, W::one()),
                 Primes::Also(primes) => (primes, PrimeSet::of(denominator).1),
-                Primes::Unknown => (PrimeSet::EMPTY, denominator >> denominator.trailing_zeros() as usize),
             };
-            for result in results.by_ref().take(layout.shape.stride) {
+            for result in results {
                 let value = result.as_i128().unwrap_or_default();
                 let magnitude = W::from_u128(value.unsigned_abs());
                 reduced.push(if magnitude.is_zero() {
@@ -105,20 +109,85 @@ impl<W: Word> ShortDenominators<W> {
 
 /// The denominators in the order of the points: the constant, or its multiples
 /// by the multinomial numbers, with every vertex scaled like a form's.
-fn form_of_denominators<R: Ring>(layout: &Layout<Rational>, constant: &R) -> Form<R> {
-    let mut entries = if layout.multinomial { layout.multinomials() } else { vec![R::unit(); layout.shape.points()] };
-    if !constant.is_unit() {
-        entries.iter_mut().for_each(|entry| entry.multiply(constant));
+fn push_denominators<R: Ring>(layout: &Layout<'_, Rational>, constant: &R, entries: &mut Entries<R>) {
+    if layout.multinomial {
+        push_multinomials(&layout.shape, constant, entries);
+    } else {
+        entries.resize(layout.shape.points(), constant.clone());
     }
-    let mut form = Form { shape: Shape { stride: 1, ..layout.shape.clone() }, entries };
-    let mut scales = layout.scales.iter();
-    for (position, factor) in layout.shape.factors.iter().enumerate() {
-        for vertex in 0..=factor.dimension {
-            let Some(scale) = scales.next() else { return form };
-            if let Some(word) = scale.as_word() {
-                form.scale(position, vertex, &R::from_word(word));
+    if let IntegerSlice::Words(mut scales) = layout.scales
+        && !scales.is_empty()
+    {
+        let mut form = Form { shape: Shape { stride: 1, ..layout.shape }, entries: &mut entries[..] };
+        for (position, factor) in layout.shape.factors.iter().enumerate() {
+            let (own, others) = scales.split_at(factor.dimension + 1);
+            scales = others;
+            for (vertex, &scale) in own.iter().enumerate() {
+                form.scale(position, vertex, &R::from_word(scale));
             }
         }
     }
-    form
+}
+
+/// Brings a result or two over one denominator to lowest terms, where looking
+/// for primes would cost more than a gcd. The answer is whether that was possible.
+#[inline]
+pub(crate) fn reduce_single<R: Integer>(
+    layout: &Layout<'_, Rational>,
+    common: &CommonDenominator,
+    results: &[R],
+    reduced: &mut Vec<Rational>,
+) -> bool {
+    let (CommonDenominator::Word(common), Some(divisors)) = (common, positive_words(layout.divisors)) else { return false };
+    if results.len() > 2 || layout.shape.points() != 1 || layout.scales.len() > 0 || layout.multinomial {
+        return false;
+    }
+    for result in results {
+        let value = result.as_i128().unwrap_or_default();
+        let mut fraction = Fraction { numer: value.unsigned_abs(), denom: 1 };
+        // As many divisors at a time as make a word.
+        let mut word = *common;
+        for divisor in divisors {
+            match word.checked_mul(divisor.unsigned_abs()) {
+                Some(product) => word = product,
+                None => {
+                    if !fraction.divide(std::mem::replace(&mut word, divisor.unsigned_abs())) {
+                        return false;
+                    }
+                }
+            }
+        }
+        if !fraction.divide(word) {
+            return false;
+        }
+        reduced.push(Rational::from_lowest(value < 0, fraction.numer, fraction.denom));
+    }
+    true
+}
+
+/// A fraction in lowest terms.
+struct Fraction {
+    numer: u128,
+    denom: u128,
+}
+
+impl Fraction {
+    /// Divides by a word, or says that the denominator becomes too long.
+    #[inline]
+    fn divide(&mut self, word: u64) -> bool {
+        let common = if let Ok(numer) = u64::try_from(self.numer) {
+            let common = gcd_u64(numer % word, word);
+            self.numer = u128::from(numer / common);
+            common
+        } else {
+            let common = gcd_u64((self.numer % u128::from(word)) as u64, word);
+            if common != 1 {
+                self.numer /= u128::from(common);
+            }
+            common
+        };
+        let product = self.denom.checked_mul(u128::from(word / common));
+        self.denom = product.unwrap_or_default();
+        product.is_some()
+    }
 }

@@ -7,6 +7,7 @@ use crate::affine::{AffineMap, Weights};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::integers::Integers;
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::Value;
@@ -222,21 +223,25 @@ impl<C: Coefficient> Surface<C> {
         }
     }
 
-    pub(super) fn point_layout(&self) -> Layout<C> {
-        Layout::constant(Shape::curve(0, self.dimension), C::unit())
+    pub(super) fn point_layout<'a>(&self, divisors: &'a Integers<C>) -> Layout<'a, C> {
+        Layout::constant(Shape::curve(0, self.dimension), divisors.as_slice())
     }
 
     /// The point `F(u, v)`.
     #[must_use]
     pub fn value(&self, [u, v]: &[C; 2]) -> Vec<C> {
-        let (weights, scales): (Vec<Weights<C>>, [usize; 2]) = match self.reading {
-            Reading::Bidegree(p, q) => (vec![Weights::of_number(u), Weights::of_number(v)], [p, q]),
-            Reading::Total(m) | Reading::Curve(m) => (vec![Weights::of(&[C::unit(), u.clone(), v.clone()])], [m, 0]),
-        };
-        let divisors = weights.iter().zip(scales).flat_map(|(weights, power)| std::iter::repeat_n(weights.scale.clone(), power)).collect();
-        let parameters: Vec<C> = weights.into_iter().flat_map(|weights| weights.weights).collect();
-        let layout = Layout { divisors, ..self.point_layout() };
-        C::compute(&Value { shape: self.shape() }, &self.coefficients, &parameters, &[layout])
+        let mut place = Weights::default();
+        match self.reading {
+            Reading::Bidegree(..) => place.push_numbers([u, v].into_iter()),
+            Reading::Total(_) | Reading::Curve(_) => place.push(&[C::unit(), u.clone(), v.clone()]),
+        }
+        // Each scale to the power of the degree in its factor.
+        let mut divisors = Integers::default();
+        for (position, factor) in self.reading.factors().iter().enumerate() {
+            let scale = place.scales.as_slice().after(position).up_to(1);
+            (0..factor.degree).for_each(|_| divisors.extend(scale));
+        }
+        C::compute(&Value { shape: self.shape() }, &self.coefficients, place.rows.as_slice(), &[self.point_layout(&divisors)])
     }
 
     /// The partial derivative of some orders: a surface of vectors, of a total

@@ -1,7 +1,7 @@
 //! Patches of surfaces, and curves on them.
 
 use super::Surface;
-use crate::affine::{Interval, PlaneParameter, Rectangle, Triangle, Weights};
+use crate::affine::{Interval, PlaneParameter, Rectangle, Triangle};
 use crate::control::{ControlNet, Data, change_frame, edge};
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
@@ -22,7 +22,7 @@ impl<C: Coefficient> Surface<C> {
         if frame.vertices().iter().flatten().any(|coordinate| coordinate.as_rational().is_none()) {
             // Replacing vertices would divide by symbolic weights; polar values do not.
             let mut coordinates = Vec::with_capacity(surface.coefficients.len());
-            let vertices = [frame.t(), frame.r(), frame.s()].map(|vertex| PlaneParameter::point(vertex.clone()));
+            let vertices = frame.points();
             for exponents in surface.reading.exponents() {
                 let repeated = vertices.iter().zip(&exponents).flat_map(|(vertex, &times)| std::iter::repeat_n(vertex.clone(), times));
                 coordinates.extend(surface.blossom(&repeated.collect::<Vec<_>>())?);
@@ -30,7 +30,7 @@ impl<C: Coefficient> Surface<C> {
             return Ok(TriangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()));
         }
         let data = (Data::Equation, surface.coefficients.as_slice());
-        let coordinates = change_frame(&shape, data, [frame.homogeneous_vertices()], Data::Net)?;
+        let coordinates = change_frame(&shape, data, &[PlaneParameter::weights(&frame.points())], Data::Net)?;
         Ok(TriangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()))
     }
 
@@ -44,7 +44,7 @@ impl<C: Coefficient> Surface<C> {
         let surface = self.by_bidegree()?;
         let shape = surface.shape();
         let vertices = [frame.u().vertices(), frame.v().vertices()];
-        let coordinates = change_frame(&shape, (Data::Equation, &surface.coefficients), vertices, Data::Net)?;
+        let coordinates = change_frame(&shape, (Data::Equation, &surface.coefficients), &vertices, Data::Net)?;
         Ok(RectangularPatch::from_net(ControlNet { shape, coordinates }, frame.clone()))
     }
 
@@ -67,8 +67,7 @@ impl<C: Coefficient> Surface<C> {
         let across = if direction[1].is_nothing() { [C::nothing(), C::unit()] } else { [C::unit(), C::nothing()] };
         let off = PlaneParameter::vector(across);
         let vertices = [off, PlaneParameter::point(a.clone()), PlaneParameter::point(b.clone())];
-        let vertices = vertices.map(|PlaneParameter { u, v, w }| Weights::of(&[w, u, v]));
-        let net = edge(&surface.shape(), &surface.coefficients, vertices.into_iter().collect())?;
+        let net = edge(&surface.shape(), &surface.coefficients, &PlaneParameter::weights(&vertices))?;
         Ok(Segment::from_net(net, Interval::unit()))
     }
 }

@@ -1,7 +1,6 @@
 //! Polar forms and polar values of surfaces.
 
 use num_bigint::BigInt;
-use smallvec::SmallVec;
 
 use super::Surface;
 use crate::affine::{Parameter, PlaneParameter, Weights};
@@ -10,7 +9,7 @@ use crate::error::Error;
 use crate::exact::Rational;
 use crate::exact::gcd::gcd_big;
 use crate::kernel::coefficient::Coefficient;
-use crate::kernel::layout::{Layout, multinomials};
+use crate::kernel::layout::multinomials;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::SymmetricSum;
 use crate::reading::Reading;
@@ -35,8 +34,7 @@ impl<C: Coefficient> Surface<C> {
         if arguments.len() != degree {
             return Err(Error::WrongCount { what: "polar arguments", expected: degree, found: arguments.len() });
         }
-        let weights = arguments.iter().map(|PlaneParameter { u, v, w }| Weights::of(&[w.clone(), u.clone(), v.clone()]));
-        Ok(self.polar_value(weights))
+        Ok(self.polar_value(PlaneParameter::weights(arguments)))
     }
 
     /// The polar value at `p` arguments for the first and `q` for the second
@@ -56,24 +54,21 @@ impl<C: Coefficient> Surface<C> {
                 return Err(Error::WrongCount { what, expected, found });
             }
         }
-        Ok(self.polar_value(us.iter().chain(vs).map(|Parameter { t, w }| Weights::of_pair(w, t))))
+        let mut arguments = Weights::default();
+        us.iter().chain(vs).for_each(|Parameter { t, w }| arguments.push_pair(w, t));
+        Ok(self.polar_value(arguments))
     }
 
-    fn polar_value(&self, arguments: impl Iterator<Item = Weights<C>>) -> Vec<C> {
-        let mut divisors: SmallVec<[C; 4]> = SmallVec::new();
-        let mut parameters = Vec::new();
-        for argument in arguments {
-            parameters.extend(argument.weights);
-            divisors.push(argument.scale);
-        }
-        for factor in self.reading.factors() {
-            let shape = Shape { factors: SmallVec::from_slice(&[factor]), stride: 1 };
+    fn polar_value(&self, arguments: Weights<C>) -> Vec<C> {
+        let Weights { rows: mut parameters, scales: mut divisors } = arguments;
+        for &factor in self.reading.factors().iter() {
+            let shape = Shape { factors: factor.into(), stride: 1 };
             let common = common_multiple(&multinomials::<BigInt>(&shape));
-            parameters.extend(multinomials::<BigInt>(&shape).into_iter().map(|n| C::from(Rational::from(&common / n))));
+            multinomials::<BigInt>(&shape).into_iter().for_each(|n| parameters.push(C::from(Rational::from(&common / n))));
             divisors.push(C::from(Rational::from(common)));
         }
-        let layout = Layout { divisors, ..self.point_layout() };
-        C::compute(&SymmetricSum { shape: self.shape() }, &self.coefficients, &parameters, &[layout])
+        let task = SymmetricSum { shape: self.shape() };
+        C::compute(&task, &self.coefficients, parameters.as_slice(), &[self.point_layout(&divisors)])
     }
 }
 

@@ -1,8 +1,8 @@
 //! More arguments, fewer arguments, products.
 
-use super::{form_of_net, multinomial_growth};
+use super::{form_of_net, multinomial_growth, take};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Ring;
+use crate::exact::width::{Entries, Ring};
 use crate::kernel::coefficient::Task;
 use crate::kernel::shape::Shape;
 
@@ -19,14 +19,14 @@ impl Task for ChangeDegree {
         multinomial_growth(&self.shape.with_degree(self.factor, larger)).times(Magnitude::from(self.degree as u64 + 1))
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, _: &[R]) -> Vec<R> {
-        let mut form = form_of_net(&self.shape, numerators);
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, _: &[R]) {
+        let mut form = form_of_net(&self.shape, take(entries));
         let degree = self.shape.factors[self.factor].degree;
         form.elevate(self.factor, self.degree.saturating_sub(degree));
         for _ in self.degree..degree {
             form.lower();
         }
-        form.entries
+        *entries = form.entries.into();
     }
 }
 
@@ -42,7 +42,8 @@ impl Task for Product {
         largest.times(multinomial_growth(&self.first)).times(multinomial_growth(&self.second))
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        form_of_net(&self.first, numerators).product(&form_of_net(&self.second, parameters.to_vec())).entries
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        let product = form_of_net(&self.first, take(entries)).product(&form_of_net(&self.second, parameters.to_vec()));
+        *entries = product.entries.into();
     }
 }

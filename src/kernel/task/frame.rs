@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::{form_of_net, multinomial_growth};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Ring;
+use crate::exact::width::{Entries, Ring};
 use crate::kernel::coefficient::Task;
 use crate::kernel::form::Form;
 use crate::kernel::reframe::Reframe;
@@ -14,7 +14,7 @@ use crate::kernel::shape::Shape;
 pub(crate) struct ChangeFrame {
     pub(crate) shape: Shape,
     /// One plan a factor; their parameters follow each other.
-    pub(crate) reframes: SmallVec<[Reframe; 1]>,
+    pub(crate) reframes: SmallVec<[Reframe; 2]>,
     /// Whether the data is a form already (an equation), not a net.
     pub(crate) from_form: bool,
 }
@@ -30,16 +30,15 @@ impl Task for ChangeFrame {
         })
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        let mut form =
-            if self.from_form { Form { shape: self.shape.clone(), entries: numerators } } else { form_of_net(&self.shape, numerators) };
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        let entries = &mut entries[..];
+        let mut form = if self.from_form { Form { shape: self.shape, entries } } else { form_of_net(&self.shape, entries) };
         let mut rest = parameters;
         for reframe in &self.reframes {
             let (own, others) = rest.split_at(reframe.parameter_count());
             rest = others;
             reframe.apply(&mut form, own);
         }
-        form.entries
     }
 }
 
@@ -54,12 +53,13 @@ impl Task for Edge {
         self.change.growth(parameters)
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        let entries = self.change.run(numerators, parameters);
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        self.change.run(entries, parameters);
         let mut points = entries.chunks_exact(self.change.shape.stride);
         let mut edge: Vec<&[R]> = Vec::new();
         self.change.shape.for_each(|exponents| edge.extend(points.next().filter(|_| exponents[0] == 0)));
         // In the order of the triangle vertex 2 comes before vertex 1.
-        edge.into_iter().rev().flatten().cloned().collect()
+        let edge = edge.into_iter().rev().flatten().cloned().collect();
+        *entries = edge;
     }
 }

@@ -13,11 +13,13 @@ pub(crate) use steps::{Casteljau, CommonSteps, Faces, PolarValue, Split};
 pub(crate) use symmetric::{Symmetric, SymmetricSum, elementary_symmetric};
 pub(crate) use value::{Grid, Value};
 
+use std::ops::DerefMut;
+
 use super::form::Form;
 use super::layout::{multinomials, multiply_by_multinomials};
 use super::shape::{Factor, Shape};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Ring;
+use crate::exact::width::{Entries, Ring};
 
 /// The sum of the multinomial numbers of a shape, with room for computing them.
 pub(super) fn multinomial_growth(shape: &Shape) -> Magnitude {
@@ -26,9 +28,15 @@ pub(super) fn multinomial_growth(shape: &Shape) -> Magnitude {
     })
 }
 
-pub(super) fn form_of_net<R: Ring>(shape: &Shape, mut entries: Vec<R>) -> Form<R> {
+/// The form that a net becomes, on its own entries.
+pub(super) fn form_of_net<R: Ring, E: DerefMut<Target = [R]>>(shape: &Shape, mut entries: E) -> Form<E> {
     multiply_by_multinomials(shape, &mut entries, &multinomials::<R>(shape));
-    Form { shape: shape.clone(), entries }
+    Form { shape: *shape, entries }
+}
+
+/// The entries as a list that can change its length.
+pub(super) fn take<R: Ring>(entries: &mut Entries<R>) -> Vec<R> {
+    std::mem::take(entries).into_vec()
 }
 
 #[inline]

@@ -2,11 +2,11 @@
 
 use smallvec::SmallVec;
 
-use super::{for_each_argument, weights_growth};
+use super::{for_each_argument, take, weights_growth};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Ring;
+use crate::exact::width::{Entries, Ring};
 use crate::kernel::coefficient::Task;
-use crate::kernel::net::Net;
+use crate::kernel::net::{Net, split};
 use crate::kernel::shape::Shape;
 
 /// The polar value of a net, in as many arguments of each factor as `counts`
@@ -23,10 +23,10 @@ impl Task for PolarValue {
         growth
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        let mut net = Net { shape: self.shape.clone(), entries: numerators };
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        let mut net = Net { shape: self.shape, entries: take(entries) };
         for_each_argument(&self.shape, &self.counts, parameters, |factor, weights| net = net.step(factor, weights));
-        net.entries
+        *entries = net.entries.into();
     }
 }
 
@@ -41,8 +41,8 @@ impl Task for Casteljau {
         weights_growth(parameters).power(self.shape.factors[self.factor].degree)
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        Net { shape: self.shape.clone(), entries: numerators }.scheme(self.factor, parameters).entries
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        *entries = Net { shape: self.shape, entries: take(entries) }.scheme(self.factor, parameters).entries.into();
     }
 }
 
@@ -61,15 +61,13 @@ impl Task for CommonSteps {
         growth.power(self.steps)
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
         let counts: SmallVec<[usize; 2]> = self.shape.factors.iter().map(|_| 1).collect();
-        let mut net = Net { shape: self.shape.clone(), entries: numerators };
-        let mut all = net.entries.clone();
+        let mut net = Net { shape: self.shape, entries: entries.to_vec() };
         for _ in 0..self.steps {
             for_each_argument(&self.shape, &counts, parameters, |factor, weights| net = net.step(factor, weights));
-            all.extend_from_slice(&net.entries);
+            entries.extend(net.entries.iter().cloned());
         }
-        all
     }
 }
 
@@ -83,11 +81,12 @@ impl Task for Split {
         weights_growth(parameters).power(self.shape.factors[0].degree)
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        let mut net = Net { shape: self.shape.clone(), entries: numerators };
-        let mut halves = net.split(&[parameters[0].clone(), parameters[1].clone()]);
-        halves.append(&mut net.entries);
-        halves
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        let count = entries.len();
+        entries.resize(2 * count, R::nothing());
+        let (left, right) = entries.split_at_mut(count);
+        right.swap_with_slice(left);
+        split(right, left, self.shape.stride, [&parameters[0], &parameters[1]]);
     }
 }
 
@@ -104,10 +103,10 @@ impl Task for Faces {
         weights_growth(parameters).power(self.shape.factors[self.factor].degree)
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
         let simplex = self.shape.factors[self.factor];
         let (outer, inner) = self.shape.blocks(self.factor);
-        let scheme = Net { shape: self.shape.clone(), entries: numerators }.scheme(self.factor, parameters);
+        let scheme = Net { shape: self.shape, entries: take(entries) }.scheme(self.factor, parameters);
         let all = scheme.shape.factors[self.factor];
         let mut faces = Vec::with_capacity(self.replaced.len() * self.shape.points() * self.shape.stride);
         for &vertex in &self.replaced {
@@ -122,6 +121,6 @@ impl Task for Faces {
                 });
             }
         }
-        faces
+        *entries = faces.into();
     }
 }

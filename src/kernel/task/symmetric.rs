@@ -4,7 +4,7 @@ use smallvec::SmallVec;
 
 use super::{for_each_argument, weights_growth};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Ring;
+use crate::exact::width::{Entries, Ring};
 use crate::kernel::coefficient::Task;
 use crate::kernel::shape::{Factor, Shape};
 
@@ -35,74 +35,158 @@ impl Task for SymmetricSum {
     fn growth<R: Ring>(&self, parameters: &[R]) -> Magnitude {
         let (arguments, mut multiples) = parameters.split_at(self.argument_length());
         let mut growth = Magnitude::ONE;
-        for factor in &self.shape.factors {
+        for factor in self.shape.factors.iter() {
             let (own, others) = multiples.split_at(factor.count());
             multiples = others;
-            growth = growth.times(own.iter().fold(Magnitude::ONE, |largest, multiple| largest.max(multiple.magnitude())));
+            // The first one is the common multiple itself.
+            growth = growth.times(own[0].magnitude());
         }
         for_each_argument(&self.shape, &self.degrees(), arguments, |_, weights| growth = growth.times(weights_growth(weights)));
         growth
     }
 
-    fn run<R: Ring>(&self, mut numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
         let (mut arguments, mut multiples) = parameters.split_at(self.argument_length());
-        let stride = self.shape.stride;
         // Factor by factor from the outermost: its entries are summed up, what is inside stays.
         for (position, factor) in self.shape.factors.iter().enumerate() {
             let (own, others) = arguments.split_at(factor.degree * (factor.dimension + 1));
             arguments = others;
-            let mut symmetric = elementary_symmetric(factor.dimension, own);
+            let mut symmetric = Entries::new();
+            elementary_symmetric(factor.dimension, own, &mut symmetric);
             let (scales, others) = multiples.split_at(symmetric.len());
             multiples = others;
+            let inner = self.shape.inner(position);
             for (value, multiple) in symmetric.iter_mut().zip(scales) {
-                value.multiply(multiple);
+                multiply(value, multiple);
             }
-            let inner = self.shape.factors[position + 1..].iter().map(|factor| factor.count()).product::<usize>() * stride;
             // The first block of the data becomes the sum.
-            let (sums, rest) = numerators.split_at_mut(inner);
-            sums.iter_mut().for_each(|sum| sum.multiply(&symmetric[0]));
-            for (coefficients, value) in rest.chunks_exact(inner).zip(&symmetric[1..]) {
-                for (sum, coefficient) in sums.iter_mut().zip(coefficients) {
-                    sum.add_product(coefficient, value);
-                }
+            for place in 0..inner {
+                let mut sum = R::nothing();
+                let coefficients = entries[place..].iter().step_by(inner);
+                symmetric.iter().zip(coefficients).for_each(|(value, coefficient)| add_product(&mut sum, coefficient, value));
+                entries[place] = sum;
             }
-            numerators.truncate(inner);
+            entries.truncate(inner);
         }
-        numerators
     }
+}
+
+/// One at a time: two in a vector register would wait for both to leave the store buffer.
+#[inline(never)]
+fn multiply<R: Ring>(value: &mut R, multiple: &R) {
+    value.multiply(multiple);
+}
+
+/// The same.
+#[inline(never)]
+fn add_product<R: Ring>(sum: &mut R, a: &R, b: &R) {
+    sum.add_product(a, b);
 }
 
 /// The coefficients of the product of linear forms, each given by its weights
 /// at the vertices of a simplex: `(w + t X)` on the line, `(w + u X + v Y)` in the plane.
-pub(crate) fn elementary_symmetric<R: Ring>(dimension: usize, arguments: &[R]) -> SmallVec<[R; 12]> {
+#[inline]
+pub(crate) fn elementary_symmetric<R: Ring>(dimension: usize, arguments: &[R], product: &mut Entries<R>) {
     if dimension != 1 {
-        return symmetric_of_simplex(dimension, arguments);
+        return symmetric_of_simplex(dimension, arguments, product);
     }
-    let count = arguments.len() / 2;
-    let mut symmetric: SmallVec<[R; 12]> = SmallVec::new();
-    symmetric.resize(count + 1, R::nothing());
-    symmetric[0] = R::unit();
-    for (done, argument) in arguments.chunks_exact(2).enumerate() {
-        let (w, t) = (&argument[0], &argument[1]);
-        let row = &mut symmetric[..=done + 1];
-        // The last entry is new: nothing yet times `w`.
-        for k in (1..row.len()).rev() {
-            let (head, tail) = row.split_at_mut(k);
-            if k <= done {
-                tail[0].multiply(w);
+    product.clear();
+    product.push(R::unit());
+    let (pairs, _) = arguments.as_chunks::<2>();
+    if !R::WIDE {
+        product.extend(pairs.iter().map(|_| R::nothing()));
+        let product = &mut product[..];
+        return pairs.iter().enumerate().for_each(|(done, form)| multiply_by_form(&mut product[..done + 2], form));
+    }
+    // As many forms as their product certainly fits words are multiplied out there,
+    // so that each pass over the long product takes in several.
+    let mut group = Group { product: Entries::from_elem(1, 1), bound: 1 };
+    for form in pairs {
+        let [Some(w), Some(t)] = form.each_ref().map(R::as_word) else {
+            product.push(R::nothing());
+            multiply_by_form(product, form);
+            continue;
+        };
+        if !group.take([w, t]) {
+            group.flush(product);
+            if !group.take([w, t]) {
+                product.push(R::nothing());
+                multiply_by_form(product, form);
             }
-            tail[0].add_product(&head[k - 1], t);
         }
-        row[0].multiply(w);
     }
-    symmetric
+    group.flush(product);
 }
 
-fn symmetric_of_simplex<R: Ring>(dimension: usize, arguments: &[R]) -> SmallVec<[R; 12]> {
-    let mut product: SmallVec<[R; 12]> = SmallVec::from_elem(R::unit(), 1);
+/// A product of linear forms with coefficients of one word.
+struct Group {
+    product: Entries<i64>,
+    /// Not less than the sum of the absolute coefficients.
+    bound: u64,
+}
+
+impl Group {
+    /// Takes in a form if the product certainly fits words.
+    #[inline]
+    fn take(&mut self, [w, t]: [i64; 2]) -> bool {
+        let sum = w.unsigned_abs().checked_add(t.unsigned_abs());
+        let Some(bound) = sum.and_then(|sum| sum.checked_mul(self.bound)).filter(|&bound| bound <= i64::MAX as u64) else { return false };
+        self.bound = bound;
+        let mut before = 0;
+        for entry in &mut self.product {
+            (*entry, before) = (*entry * w + before * t, *entry);
+        }
+        self.product.push(before * t);
+        true
+    }
+
+    /// Multiplies the long product by this one, which becomes 1.
+    fn flush<R: Ring>(&mut self, product: &mut Entries<R>) {
+        let factor: Entries<R> = self.product.iter().map(|&word| R::from_word(word)).collect();
+        if product.len() == 1 && product[0].is_unit() {
+            *product = factor;
+        } else {
+            multiply_by(product, &factor);
+        }
+        self.product.truncate(1);
+        (self.product[0], self.bound) = (1, 1);
+    }
+}
+
+/// Multiplies a polynomial, whose last entry is still nothing, by `w + t X`.
+#[inline]
+fn multiply_by_form<R: Ring>(product: &mut [R], [w, t]: &[R; 2]) {
+    // From the top down: every entry takes in the one before it.
+    let mut entries = product.iter_mut().rev();
+    let Some(mut to) = entries.next() else { return };
+    for from in entries {
+        to.multiply(w);
+        to.add_product(from, t);
+        to = from;
+    }
+    to.multiply(w);
+}
+
+/// The product of two polynomials, in place of the first one.
+fn multiply_by<R: Ring>(product: &mut Entries<R>, factor: &[R]) {
+    let count = product.len();
+    product.extend(factor[1..].iter().map(|_| R::nothing()));
+    // From the top down: what is still needed lies below.
+    for place in (0..product.len()).rev() {
+        let skipped = place.saturating_sub(count - 1);
+        let mut sum = R::nothing();
+        for (entry, coefficient) in product[..=place - skipped].iter().rev().zip(&factor[skipped..]) {
+            sum.add_product(entry, coefficient);
+        }
+        product[place] = sum;
+    }
+}
+
+fn symmetric_of_simplex<R: Ring>(dimension: usize, arguments: &[R], product: &mut Entries<R>) {
+    *product = Entries::from_elem(R::unit(), 1);
     for (degree, weights) in arguments.chunks_exact(dimension + 1).enumerate() {
         let larger = Factor { dimension, degree: degree + 1 };
-        let mut next: SmallVec<[R; 12]> = SmallVec::from_elem(R::nothing(), larger.count());
+        let mut next: Entries<R> = Entries::from_elem(R::nothing(), larger.count());
         let mut entries = product.iter();
         Factor { dimension, degree }.for_each(|exponents| {
             let Some(entry) = entries.next() else { return };
@@ -113,9 +197,8 @@ fn symmetric_of_simplex<R: Ring>(dimension: usize, arguments: &[R]) -> SmallVec<
                 raised[vertex] -= 1;
             }
         });
-        product = next;
+        *product = next;
     }
-    product
 }
 
 /// The elementary symmetric functions of the parameters' pairs `(w_i, t_i)`; the data is the number 1.
@@ -126,8 +209,8 @@ impl Task for Symmetric {
         parameters.chunks_exact(2).fold(Magnitude::ONE, |growth, argument| growth.times(weights_growth(argument)))
     }
 
-    fn run<R: Ring>(&self, _: Vec<R>, parameters: &[R]) -> Vec<R> {
-        elementary_symmetric(1, parameters).into_vec()
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        elementary_symmetric(1, parameters, entries);
     }
 }
 
@@ -137,10 +220,15 @@ mod tests {
 
     #[test]
     fn elementary_symmetric_functions() {
+        let symmetric = |dimension, arguments: &[i64]| {
+            let mut product = Entries::new();
+            elementary_symmetric(dimension, arguments, &mut product);
+            product.into_vec()
+        };
         // (5 + 2X)(7 - 3X)(1 + X)
-        assert_eq!(elementary_symmetric(1, &[5i64, 2, 7, -3, 1, 1])[..], [35, 34, -7, -6]);
-        assert_eq!(elementary_symmetric::<i64>(1, &[])[..], [1]);
+        assert_eq!(symmetric(1, &[5, 2, 7, -3, 1, 1]), [35, 34, -7, -6]);
+        assert_eq!(symmetric(1, &[]), [1]);
         // (1 + 2X + 3Y)(4 + 5X + 6Y) in the order 1, Y, Y², X, XY, X²
-        assert_eq!(elementary_symmetric(2, &[1i64, 2, 3, 4, 5, 6])[..], [4, 18, 18, 13, 27, 10]);
+        assert_eq!(symmetric(2, &[1, 2, 3, 4, 5, 6]), [4, 18, 18, 13, 27, 10]);
     }
 }

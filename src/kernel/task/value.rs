@@ -2,12 +2,12 @@
 
 use smallvec::SmallVec;
 
-use super::{for_each_argument, form_of_net, multinomial_growth, weights_growth};
+use super::{for_each_argument, form_of_net, multinomial_growth, take, weights_growth};
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Ring;
+use crate::exact::width::{Entries, Ring};
 use crate::kernel::coefficient::Task;
 use crate::kernel::form::Form;
-use crate::kernel::shape::{Factor, Shape};
+use crate::kernel::shape::Shape;
 
 /// The value of an equation where the vertices (origin, directions) have these weights.
 pub(crate) struct Value {
@@ -25,8 +25,8 @@ impl Task for Value {
         growth
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, parameters: &[R]) -> Vec<R> {
-        Form { shape: self.shape.clone(), entries: numerators }.value(parameters)
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, parameters: &[R]) {
+        *entries = Form { shape: self.shape, entries: take(entries) }.value(parameters).into();
     }
 }
 
@@ -41,8 +41,7 @@ pub(crate) struct Grid {
 impl Grid {
     /// The shape of the grid: a net of degree `steps` in every factor.
     pub(crate) fn target(shape: &Shape, steps: usize) -> Shape {
-        let factors = shape.factors.iter().map(|factor| Factor { degree: steps, ..*factor }).collect();
-        Shape { factors, stride: shape.stride }
+        (0..shape.factors.len()).fold(*shape, |target, factor| target.with_degree(factor, steps))
     }
 }
 
@@ -53,15 +52,13 @@ impl Task for Grid {
         self.shape.factors.iter().fold(multinomial_growth(&self.shape), |growth, factor| growth.times(steps.power(factor.degree + 1)))
     }
 
-    fn run<R: Ring>(&self, numerators: Vec<R>, _: &[R]) -> Vec<R> {
-        let form = form_of_net(&self.shape, numerators);
-        let mut values = Vec::with_capacity(Self::target(&self.shape, self.steps).points() * self.shape.stride);
+    fn run<R: Ring>(&self, entries: &mut Entries<R>, _: &[R]) {
+        let form = form_of_net(&self.shape, take(entries));
         let mut weights: SmallVec<[R; 6]> = SmallVec::new();
         Self::target(&self.shape, self.steps).for_each(|shares| {
             weights.clear();
             weights.extend(shares.iter().map(|&share| R::from_count(share)));
-            values.append(&mut form.value(&weights));
+            entries.extend(form.value(&weights));
         });
-        values
     }
 }
