@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::exact::Rational;
 use crate::exact::gcd::gcd_big;
 use crate::exact::magnitude::Magnitude;
-use crate::exact::width::Integer;
+use crate::exact::width::{Entries, Integer};
 use crate::joint::{Joint, arguments_off, over_one_frame};
 use crate::kernel::denominator::CommonDenominator;
 use crate::piece::Piece;
@@ -140,10 +140,13 @@ impl SmoothnessTest {
     /// As for [`SmoothnessTest::order`].
     pub fn order_of_rationals(&self, first: &[Rational], second: &[Rational]) -> Result<Option<usize>, Error> {
         let dimension = self.dimension(first.len(), second.len())?;
-        let common = CommonDenominator::of(first.iter().chain(second));
-        if let (Some((a, bound)), Some((b, other))) = (common.words(first), common.words(second)) {
-            return Ok(self.order_of_words(&a, &b, dimension, bound | other));
+        let all = first.iter().chain(second);
+        let mut words = Entries::new();
+        if let Some((_, largest)) = CommonDenominator::of_words(all.clone(), &mut words) {
+            let (first, second) = words.split_at(first.len());
+            return Ok(self.order_of_words(first, second, dimension, largest));
         }
+        let common = CommonDenominator::of(all);
         let numerators = |net: &[Rational]| net.iter().map(|x| common.numerator(x)).collect::<Vec<BigInt>>();
         Ok(self.order_of(&numerators(first), &numerators(second), dimension, &self.long))
     }

@@ -332,6 +332,52 @@ proptest! {
     }
 }
 
+/// A word of a given length, all ones or one more, positive or negative.
+fn at_a_border() -> impl Strategy<Value = i64> {
+    (0u32..63, any::<bool>(), -1i64..2).prop_map(|(bits, negative, more)| {
+        let value = ((1i64 << bits) - 1).saturating_add(more);
+        if negative { -value } else { value }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 512, ..ProptestConfig::default() })]
+
+    /// Numbers whose lengths sweep the borders where the integers change their
+    /// width, all at their largest, against the definitions on plain fractions.
+    #[test]
+    fn widths_change_without_a_trace(
+        numbers in prop::collection::vec((at_a_border(), prop_oneof![3 => Just(1i64), 2 => 1i64..1000, 1 => at_a_border().prop_map(|d| d.max(1))]), 12),
+        parameters in prop::collection::vec((at_a_border(), prop_oneof![Just(1i64), 1i64..100]), 5),
+        small in any::<bool>(),
+        dimension in 1usize..4,
+    ) {
+        let rational = |&(numer, denom): &(i64, i64)| Rational::new(numer, denom);
+        let lists: Coefficients = numbers.chunks_exact(12 / dimension).map(|list| list.iter().take(5).map(rational).collect()).collect();
+        let curve = Curve::new(lists.clone()).expect("a curve");
+        let m = curve.degree();
+        let parameters: Vec<Rational> = parameters.iter().map(|&(t, d)| if small { Rational::new(t % 100, d) } else { Rational::new(t, d) }).collect();
+        let at = |arguments: &[Rational]| {
+            let weighted: Vec<(Rational, Rational)> = arguments.iter().map(|t| (t.clone(), Rational::from(1))).collect();
+            oracle::polarization(&lists, &weighted)
+        };
+        prop_assert_eq!(curve.blossom(&parameters[..m]).expect("m arguments"), at(&parameters[..m]));
+        let (r, s, t) = (&parameters[0], &parameters[1], &parameters[2]);
+        let Ok(frame) = Interval::new(r.clone(), s.clone()) else { return Ok(()) };
+        let segment = curve.segment(&frame).expect("a segment");
+        for i in 0..=m {
+            let vertices: Vec<Rational> = (0..m).map(|place| if place < i { s.clone() } else { r.clone() }).collect();
+            prop_assert_eq!(segment.point(i), at(&vertices), "f(r^{} s^{})", m - i, i);
+        }
+        let Ok((left, right)) = segment.split(t) else { return Ok(()) };
+        for i in 0..=m {
+            let place = |first: &Rational, second: &Rational| -> Vec<Rational> { (0..m).map(|place| if place < i { second.clone() } else { first.clone() }).collect() };
+            prop_assert_eq!(left.point(i), at(&place(r, t)));
+            prop_assert_eq!(right.point(i), at(&place(t, s)));
+        }
+    }
+}
+
 /// Long numbers and high degrees, where every width of integer is chosen.
 #[test]
 fn round_trips_at_high_degrees() {

@@ -268,7 +268,7 @@ impl Compute for Rational {
     #[inline]
     fn compute<T: Task>(task: &T, data: &[Self], parameters: IntegerSlice<'_, Self>, layouts: &[Layout<'_, Self>]) -> Vec<Self> {
         let mut words = Entries::new();
-        let short = CommonDenominator::of_words(data, &mut words);
+        let short = CommonDenominator::of_words(data.iter(), &mut words);
         let (common, largest) = match short {
             Some((common, largest)) => (CommonDenominator::Word(common), Magnitude::from(largest)),
             None => {
@@ -395,4 +395,104 @@ fn reduce<R: Integer>(layout: &Layout<'_, Rational>, common: &CommonDenominator,
         }
     }
     LongDenominators::new(layout, common).reduce(layout, results, reduced);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::integers::Integers;
+    use super::super::layout::multinomials;
+    use super::super::shape::Shape;
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Words of every length, and those at both ends.
+    fn word() -> impl Strategy<Value = i64> {
+        prop_oneof![
+            2 => -20i64..21,
+            4 => (any::<i64>(), 0u32..64).prop_map(|(value, shift)| value >> shift),
+            1 => (0i64..3).prop_map(|k| i64::MAX - k),
+            1 => (0i64..3).prop_map(|k| i64::MIN + k),
+        ]
+    }
+
+    fn scale() -> impl Strategy<Value = i64> {
+        prop_oneof![3 => Just(1i64), 4 => 1i64..40, 2 => 1i64..1 << 33, 1 => word().prop_map(|value| value.saturating_abs().max(1))]
+    }
+
+    /// The definition: every result over its whole denominator.
+    fn plainly(layout: &Layout<'_, Rational>, common: &BigInt, results: &[BigInt]) -> Vec<Rational> {
+        let (divisors, scales) = (layout.divisors.to_elements(), layout.scales.to_elements());
+        let multinomials = multinomials::<BigInt>(&layout.shape);
+        let mut points = results.chunks_exact(layout.shape.stride).zip(&multinomials);
+        let mut all = Vec::new();
+        layout.shape.for_each(|exponents| {
+            let (point, multinomial) = points.next().expect("a point for every entry");
+            let mut denominator = common * divisors.iter().map(Rational::numer).product::<BigInt>();
+            for (scale, &exponent) in scales.iter().zip(exponents) {
+                denominator *= scale.numer().pow(exponent as u32);
+            }
+            if layout.multinomial {
+                denominator *= multinomial;
+            }
+            all.extend(point.iter().map(|x| Rational::from_big(x.clone(), denominator.clone())));
+        });
+        all
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 1024, ..ProptestConfig::default() })]
+
+        #[test]
+        fn numerators_are_those_over_the_common_denominator(parts in prop::collection::vec((word(), scale()), 1..8)) {
+            let data: Vec<Rational> = parts.iter().map(|&(numer, denom)| Rational::new(numer, denom)).collect();
+            let mut words = Entries::new();
+            let found = CommonDenominator::of_words(data.iter(), &mut words);
+            let common = CommonDenominator::of(&data);
+            let numerators: Vec<BigInt> = data.iter().map(|value| common.numerator(value)).collect();
+            let largest = numerators.iter().map(|x| x.magnitude().clone()).max().expect("a number");
+            match found {
+                Some((denominator, bound)) => {
+                    prop_assert_eq!(BigInt::from(denominator), common.to_big());
+                    prop_assert_eq!(num_bigint::BigUint::from(bound), largest);
+                    prop_assert_eq!(words.iter().map(|&word| BigInt::from(word)).collect::<Vec<_>>(), numerators);
+                }
+                // The only other reason: what came before, brought over, was too long already.
+                None => prop_assert!(largest.bits() > 62 || common.to_big().bits() > 63),
+            }
+        }
+
+        #[test]
+        fn every_route_to_lowest_terms_is_the_same(
+            values in prop::collection::vec((any::<i128>(), 0u32..128), 12),
+            common in scale(),
+            divisors in prop::collection::vec(scale(), 0..5),
+            scales in prop::collection::vec(scale(), 3),
+            shape in prop_oneof![Just(Shape::curve(0, 1)), Just(Shape::curve(0, 2)), Just(Shape::curve(3, 3)), Just(Shape::triangle(2, 2)), Just(Shape::rectangle(1, 2, 2))],
+            kind in 0usize..3,
+        ) {
+            let count = shape.points() * shape.stride;
+            let scales: Integers<Rational> = scales.into_iter().chain([1]).map(Rational::from).take(shape.factors.iter().map(|f| f.dimension + 1).sum()).collect();
+            let divisors: Integers<Rational> = divisors.into_iter().map(Rational::from).collect();
+            let layout = match kind {
+                0 => Layout::constant(shape, divisors.as_slice()),
+                1 => Layout { divisors: divisors.as_slice(), ..Layout::net(shape, scales.as_slice()) },
+                _ => Layout { divisors: divisors.as_slice(), ..Layout::form(shape, scales.as_slice()) },
+            };
+            let denominator = CommonDenominator::Word(common.unsigned_abs());
+            let values: Vec<i128> = values.iter().map(|&(value, shift)| value >> shift).take(count).collect();
+            let long: Vec<BigInt> = values.iter().map(|&value| BigInt::from(value)).collect();
+            let expected = plainly(&layout, &BigInt::from(common), &long);
+            let mut reduced = Vec::new();
+            reduce(&layout, &denominator, &mut values.clone(), &mut reduced);
+            prop_assert_eq!(&reduced, &expected);
+            reduced.clear();
+            reduce(&layout, &denominator, &mut long.clone(), &mut reduced);
+            prop_assert_eq!(&reduced, &expected);
+            reduced.clear();
+            let words: Vec<i64> = values.iter().map(|&value| value as i64).collect();
+            let long: Vec<BigInt> = words.iter().map(|&value| BigInt::from(value)).collect();
+            reduce(&layout, &denominator, &mut words.clone(), &mut reduced);
+            prop_assert_eq!(reduced, plainly(&layout, &BigInt::from(common), &long));
+        }
+    }
 }

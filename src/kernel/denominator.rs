@@ -35,12 +35,12 @@ impl CommonDenominator {
     /// The least common denominator, the numerators over it, and the largest of
     /// them; `None` if they are not all words.
     #[inline]
-    pub(crate) fn of_words(data: &[Rational], words: &mut Entries<i64>) -> Option<(u64, u64)> {
-        let mut common = data.first()?.as_small()?.1;
+    pub(crate) fn of_words<'a>(data: impl Iterator<Item = &'a Rational> + Clone, words: &mut Entries<i64>) -> Option<(u64, u64)> {
+        let mut common = data.clone().next()?.as_small()?.1;
         let mut largest = 0;
-        words.extend(data.iter().map(|_| 0));
+        words.extend(data.clone().map(|_| 0));
         let words = &mut words[..];
-        for (place, value) in data.iter().enumerate() {
+        for (place, value) in data.enumerate() {
             let (numer, denom) = value.as_small()?;
             let mut share = 1;
             if denom != common {

@@ -217,18 +217,68 @@ impl Task for Symmetric {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::fixed::Fixed;
+    use crate::exact::width::Integer;
+    use num_bigint::BigInt;
+    use proptest::prelude::*;
+
+    fn symmetric<R: Ring>(dimension: usize, arguments: &[R]) -> Vec<R> {
+        let mut product = Entries::new();
+        elementary_symmetric(dimension, arguments, &mut product);
+        product.into_vec()
+    }
 
     #[test]
     fn elementary_symmetric_functions() {
-        let symmetric = |dimension, arguments: &[i64]| {
-            let mut product = Entries::new();
-            elementary_symmetric(dimension, arguments, &mut product);
-            product.into_vec()
-        };
         // (5 + 2X)(7 - 3X)(1 + X)
-        assert_eq!(symmetric(1, &[5, 2, 7, -3, 1, 1]), [35, 34, -7, -6]);
-        assert_eq!(symmetric(1, &[]), [1]);
+        assert_eq!(symmetric(1, &[5i64, 2, 7, -3, 1, 1]), [35, 34, -7, -6]);
+        assert_eq!(symmetric::<i64>(1, &[]), [1]);
         // (1 + 2X + 3Y)(4 + 5X + 6Y) in the order 1, Y, Y², X, XY, X²
-        assert_eq!(symmetric(2, &[1, 2, 3, 4, 5, 6]), [4, 18, 18, 13, 27, 10]);
+        assert_eq!(symmetric(2, &[1i64, 2, 3, 4, 5, 6]), [4, 18, 18, 13, 27, 10]);
+    }
+
+    /// Short ones, of which many make a group, words at both ends, and longer ones.
+    fn weight() -> impl Strategy<Value = BigInt> {
+        prop_oneof![
+            6 => (-300i64..300).prop_map(BigInt::from),
+            2 => (any::<i64>(), 0u32..64).prop_map(|(value, shift)| BigInt::from(value >> shift)),
+            1 => (0i64..2).prop_map(|k| BigInt::from(i64::MAX - k)),
+            1 => (0i64..2).prop_map(|k| BigInt::from(i64::MIN + k)),
+            1 => any::<i128>().prop_map(BigInt::from),
+        ]
+    }
+
+    fn of_width<R: Integer>(arguments: &[BigInt]) -> Vec<BigInt> {
+        let arguments: Vec<R> = arguments.iter().map(R::from_big).collect();
+        symmetric(1, &arguments).into_iter().map(R::into_big).collect()
+    }
+
+    proptest! {
+        /// In groups and one form at a time, against the product written out.
+        #[test]
+        fn groups_multiply_like_single_forms(arguments in prop::collection::vec(weight(), 0..30)) {
+            let pairs = arguments.len() / 2;
+            let arguments = &arguments[..2 * pairs];
+            let mut product = vec![BigInt::from(1)];
+            for form in arguments.chunks_exact(2) {
+                let mut next = vec![BigInt::ZERO; product.len() + 1];
+                for (power, entry) in product.iter().enumerate() {
+                    next[power] += entry * &form[0];
+                    next[power + 1] += entry * &form[1];
+                }
+                product = next;
+            }
+            prop_assert_eq!(&of_width::<BigInt>(arguments), &product);
+            // Every width is right modulo its power of two.
+            let modulo = |values: &[BigInt], bits: usize| -> Vec<BigInt> {
+                let size = BigInt::from(1) << bits;
+                values.iter().map(|x| ((x % &size) + &size) % &size).collect()
+            };
+            prop_assert_eq!(modulo(&of_width::<i64>(arguments), 64), modulo(&product, 64));
+            prop_assert_eq!(modulo(&of_width::<i128>(arguments), 128), modulo(&product, 128));
+            if arguments.iter().all(|x| x.bits() < 128) {
+                prop_assert_eq!(modulo(&of_width::<Fixed<4>>(arguments), 256), modulo(&product, 256));
+            }
+        }
     }
 }
