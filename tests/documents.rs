@@ -71,6 +71,9 @@ fn every_command_of_the_readme_prints_what_it_shows() {
         }
     }
     let document = std::fs::read_to_string(root().join("README.md")).expect("the README");
+    // The worksheet that it shows.
+    let worksheet = document.split("````markdown\n").nth(1).and_then(|rest| rest.split("````").next());
+    std::fs::write(folder.join("notes.md"), worksheet.expect("a worksheet")).expect("a file for the test");
     let (text, commands) = replayed(&document, &folder);
     assert!(commands >= 12, "only {commands} commands");
     agree("README.md", &text);
