@@ -144,7 +144,7 @@ impl Checker<'_> {
             let at = at + (line.len() - line.trim_start().len());
             let line = self.lines.line(block.in_file(Span::new(at, at)).start);
             let mut announce = |name: Symbol| {
-                self.scope.later.entry(name).or_insert_with(|| Later { line, letters: letters.clone() });
+                self.scope.later.entry(name).or_insert_with(|| Later { line, failed: false, letters: letters.clone() });
             };
             announce(name);
             // A component announces its map.
@@ -161,6 +161,11 @@ impl Checker<'_> {
         let part = Part { block, text: &text[range.start + skipped..range.end], offset: range.start + skipped };
         let checked = misspelt_call(part.text).and_then(|()| self.statements(&part, name, name_span));
         if let Err(error) = checked {
+            let line = self.lines.line(part.span(Span::new(0, 0)).start);
+            let own = head(part.text).and_then(|(name, _)| self.scope.later.get_mut(&name)).filter(|later| later.line == line);
+            if let Some(later) = own {
+                later.failed = true;
+            }
             self.fail(&part, name, part.error(suggested(error, part.text)));
         }
     }

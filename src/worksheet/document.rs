@@ -1,5 +1,6 @@
 //! Worksheets as files: Markdown with fenced blocks and formulas, or statements alone.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
@@ -82,6 +83,15 @@ pub(super) fn options() -> Options {
     Options::ENABLE_MATH | Options::ENABLE_TABLES | Options::ENABLE_FOOTNOTES | Options::ENABLE_STRIKETHROUGH
 }
 
+/// The text as Markdown is read: a byte order mark as blanks of its length, since
+/// a fence may not stand behind one.
+pub(super) fn marked_down(source: &str) -> Cow<'_, str> {
+    match source.strip_prefix('\u{feff}') {
+        Some(rest) => Cow::Owned(format!("{:1$}{rest}", "", '\u{feff}'.len_utf8())),
+        None => Cow::Borrowed(source),
+    }
+}
+
 impl Document {
     pub(super) fn new(source: &str, format: Format) -> Self {
         let mut document = Self { blocks: Vec::new(), errors: Vec::new(), warnings: Vec::new() };
@@ -97,7 +107,7 @@ impl Document {
                 block.push(&source[mark..], mark);
                 document.blocks.push(block);
             }
-            Format::Markdown => document.read_markdown(source),
+            Format::Markdown => document.read_markdown(&marked_down(source)),
         }
         document
     }
@@ -316,6 +326,7 @@ mod tests {
         for source in [
             "text\n\n> ```casteljau\n> first\n> needle\n> ```\n",
             "\u{feff}- item\n\n  ```casteljau\n  needle\n  ```\n",
+            "\u{feff}```casteljau\nneedle\n```\n",
             "```casteljau\r\nfirst\r\nneedle\r\n```\r\n",
             "<!-- casteljau -->\n$$\na\nneedle\n$$\n",
             "> <!-- casteljau -->\n> $$\n> a\n> needle\n> $$\n",

@@ -104,6 +104,9 @@ impl Evaluator<'_> {
             let message = format!("found `{symbol}`, which is defined by itself: {}", way.join(" → "));
             return SyntaxError::new(span, message);
         }
+        if self.scope.later.get(&symbol).is_some_and(|later| later.failed) {
+            return SyntaxError::new(span, format!("found `{symbol}`, whose definition in line {line} is in error"));
+        }
         SyntaxError::new(span, format!("found `{symbol}` before its definition in line {line}")).with_help("move the definition up")
     }
 

@@ -27,6 +27,8 @@ pub(super) struct Component {
 /// A definition further down: where it stands, and the letters in its body.
 pub(super) struct Later {
     pub(super) line: usize,
+    /// Whether it was tried already and is in error.
+    pub(super) failed: bool,
     pub(super) letters: BTreeSet<Symbol>,
 }
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Parser, Tag, TagEnd};
 
 use super::claim::{Claim, Verdict};
-use super::document::{Document, Format, comments, options};
+use super::document::{Document, Format, comments, marked_down, options};
 use super::report::{Outcome, Rendered, Report};
 use crate::report::xml::escape;
 use formula::{Display, mathml};
@@ -28,6 +28,8 @@ const STYLE: &str = include_str!("style.css");
 /// ```
 #[must_use]
 pub fn html(title: &str, source: &str, format: Format) -> String {
+    let marked = marked_down(source);
+    let source = if format == Format::Markdown { &*marked } else { source };
     let report = super::check::check_for_rendering(source, format);
     let document = Document::new(source, format);
     let parts = Page { source, report: &report };
