@@ -25,6 +25,18 @@ impl<const N: usize> Fixed<N> {
         }))
     }
 
+    /// `self -= a * digit`
+    #[inline(never)]
+    fn subtract_row(&mut self, a: &Self, digit: u64) {
+        let mut carry = 0u128;
+        for (target, &word) in self.0.iter_mut().zip(&a.0) {
+            carry += u128::from(word) * u128::from(digit);
+            let (difference, borrow) = target.overflowing_sub(carry as u64);
+            *target = difference;
+            carry = (carry >> 64) + u128::from(borrow);
+        }
+    }
+
     /// `self += a * b`, all of it modulo `2^(64 N)`, where two's complement
     /// needs no regard for signs.
     #[inline]
@@ -87,8 +99,14 @@ impl<const N: usize> Ring for Fixed<N> {
     #[inline]
     fn add_product(&mut self, a: &Self, b: &Self) {
         // Negative factors are all ones on top: multiplying by their absolute
-        // value skips the zero words instead.
-        if b.is_negative() {
+        // value skips the zero words instead. (Negating many words costs more
+        // than finding out that only one of them counts.)
+        if N > 8
+            && b.is_negative()
+            && let Some(word) = b.as_word()
+        {
+            self.subtract_row(a, word.unsigned_abs());
+        } else if b.is_negative() {
             self.accumulate(&a.negated(), &b.negated());
         } else {
             self.accumulate(a, b);

@@ -335,6 +335,7 @@ mod tests {
         fn every_width_agrees_with_big_integers(a in integer(), b in integer(), c in integer()) {
             agrees::<Fixed<6>>(&a, &b, &c)?;
             agrees::<Fixed<8>>(&a, &b, &c)?;
+            agrees::<Fixed<12>>(&a, &b, &c)?;
             agrees::<BigInt>(&a, &b, &c)?;
             let (a, b, c) = (a >> 66, b >> 66, c >> 66);
             agrees::<Fixed<3>>(&a, &b, &c)?;

@@ -289,6 +289,8 @@ impl Compute for Rational {
             192..=255 => call.run::<Fixed<4>>(),
             256..=383 => call.run::<Fixed<6>>(),
             384..=511 => call.run::<Fixed<8>>(),
+            512..=767 => call.run::<Fixed<12>>(),
+            768..=1023 => call.run::<Fixed<16>>(),
             _ => call.run::<BigInt>(),
         }
     }

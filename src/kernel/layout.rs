@@ -49,12 +49,14 @@ fn push_row<R: Ring>(Factor { dimension, degree }: Factor, times: &R, row: &mut 
         return push_simplex(dimension, degree, times, row);
     }
     let start = row.len();
-    row.resize(start + degree + 1, R::nothing());
+    row.extend((0..=degree).map(|_| times.clone()));
+    // From both ends to the middle: divisions are what takes time.
     let mut binomial = times.clone();
-    for (first, entry) in row[start..].iter_mut().enumerate() {
-        *entry = binomial.clone();
-        binomial.multiply(&R::from_count(degree - first));
-        binomial.divide_exactly(&R::from_count(first + 1));
+    for first in 1..=degree / 2 {
+        binomial.multiply(&R::from_count(degree + 1 - first));
+        binomial.divide_exactly(&R::from_count(first));
+        row[start + first] = binomial.clone();
+        row[start + degree - first] = binomial.clone();
     }
 }
 

@@ -63,7 +63,8 @@ impl Task for SymmetricSum {
             for place in 0..inner {
                 let mut sum = R::nothing();
                 let coefficients = entries[place..].iter().step_by(inner);
-                symmetric.iter().zip(coefficients).for_each(|(value, coefficient)| add_product(&mut sum, coefficient, value));
+                // The coefficient is the shorter factor, which counts where both are long.
+                symmetric.iter().zip(coefficients).for_each(|(value, coefficient)| add_product(&mut sum, value, coefficient));
                 entries[place] = sum;
             }
             entries.truncate(inner);
