@@ -58,7 +58,10 @@ impl Visitor for Judge<'_> {
             Contact::NotAsked => usize::from(parametric >= Continuity::C(1)),
             _ => 0,
         });
-        let requirement = self.terms.require.or_else(|| stated.filter(|&index| self.model.joints[index].smooth).map(|_| Requirement::G1));
+        let requirement = self
+            .terms
+            .require
+            .or_else(|| stated.filter(|&index| self.model.joints[index].smooth && !self.terms.ignores_promises).map(|_| Requirement::G1));
         let handles = if rational { None } else { handles(&a, &b) };
         let smooth = met && tangency.contact == Contact::Smooth;
         let offset2 = match (&handles, smooth) {
