@@ -1,7 +1,7 @@
 //! Which sides of which pieces meet.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::corners::{Corners, is_near};
 use super::domain;
@@ -90,18 +90,17 @@ impl Mates {
     /// space, and those that lie at the same place, up to `snap`.
     pub(super) fn of(model: &Model, snap: Option<&Rational>) -> Self {
         let mut mates = Self::default();
-        let mut taken: HashMap<Place, ()> = HashMap::new();
+        let mut taken: HashSet<Place> = HashSet::new();
         for (index, joint) in model.joints.iter().enumerate() {
             let (first, second) = ((joint.first, Side::End), (joint.second, Side::Start));
-            taken.extend([(first, ()), (second, ())]);
+            taken.extend([first, second]);
             let shares_domain = domain::is_shared(&model.parts, first, second, false);
             mates.push(first, second, false, shares_domain, Some(index));
         }
         let mut open = Vec::new();
         if model.meets_by_position {
             mates.by_position(model, snap, &taken, &mut open);
-            let open = mates.by_domain(model, open);
-            mates.open = open;
+            mates.open = mates.by_domain(model, open);
         } else {
             let sides = |part: &Part| Arrangement::of(&part.piece).sides().len();
             mates.open = model.parts.iter().map(sides).sum::<usize>() - taken.len();
@@ -115,14 +114,14 @@ impl Mates {
         self.pairs.push(Mate { first, second, reversed, shares_domain, stated });
     }
 
-    fn by_position(&mut self, model: &Model, snap: Option<&Rational>, taken: &HashMap<Place, ()>, open: &mut Vec<Place>) {
+    fn by_position(&mut self, model: &Model, snap: Option<&Rational>, taken: &HashSet<Place>, open: &mut Vec<Place>) {
         let mut corners = Corners::default();
         let (mut ends, mut edges) = (Vec::new(), Vec::new());
         for (index, part) in model.parts.iter().enumerate() {
             let arrangement = Arrangement::of(&part.piece);
             for &side in arrangement.sides() {
                 let place = (index, side);
-                if taken.contains_key(&place) {
+                if taken.contains(&place) {
                     continue;
                 }
                 let points = if is_graph(part) { None } else { boundary(part, side) };
@@ -130,7 +129,7 @@ impl Mates {
                     open.push(place);
                     continue;
                 };
-                let is_edge = !matches!(arrangement, Arrangement::Curve(_));
+                let is_edge = !side.is_end();
                 if is_edge && points.iter().all(|point| *point == points[0]) {
                     self.collapsed += 1;
                     continue;
@@ -177,7 +176,6 @@ impl Mates {
     /// Sides of frames that meet though their points do not. Gives the number of
     /// those that are left.
     fn by_domain(&mut self, model: &Model, open: Vec<Place>) -> usize {
-        let total = open.len();
         let mut left = 0;
         let mut groups: HashMap<domain::Key, Vec<Place>> = HashMap::new();
         for place in open {
@@ -197,7 +195,6 @@ impl Mates {
                 others => left += others.len(),
             }
         }
-        debug_assert!(left <= total);
         left
     }
 }

@@ -17,6 +17,7 @@ use crate::piece::{Equation, Piece};
 use crate::rectangular::RectangularPatch;
 use crate::segment::Segment;
 use crate::side::Arrangement;
+use crate::triangular::TriangularPatch;
 
 /// Two sides that meet.
 pub(super) struct Pair<'a> {
@@ -81,9 +82,7 @@ impl Pair<'_> {
                 let points = part.piece.points().map(|point| lifted(part, point, true)).collect();
                 Ok(match &part.piece {
                     Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
-                    Piece::Triangle(patch) => {
-                        Piece::Triangle(crate::triangular::TriangularPatch::from_points(points, patch.frame().clone())?)
-                    }
+                    Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
                     Piece::Rectangle(patch) => {
                         Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?)
                     }

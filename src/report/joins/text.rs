@@ -198,7 +198,7 @@ fn summary(files: &[File]) -> String {
         let _ = write!(text, ": {}", parts.join(", "));
     }
     if summary.unreadable > 0 {
-        let _ = write!(text, "; {} not be read", counted(summary.unreadable, "file could", "files could"));
+        let _ = write!(text, "; {} not be checked", counted(summary.unreadable, "file could", "files could"));
     }
     text
 }
