@@ -1,11 +1,14 @@
 //! Polynomial curves by their equations.
 
+use std::slice;
+
 use crate::affine::{AffineMap, Interval, Parameter, Weights};
 use crate::blossom::PolarForm;
 use crate::control::{ControlNet, Data, change_frame};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
+use crate::kernel::combination::ShortArguments;
 use crate::kernel::integers::{IntegerSlice, Integers};
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
@@ -141,9 +144,26 @@ impl<C: Coefficient> Curve<C> {
     /// # Errors
     /// [`Error::WrongCount`] unless there are as many arguments as the polar degree.
     pub fn blossom(&self, arguments: &[C]) -> Result<Vec<C>, Error> {
+        if let Some(value) = self.short_polar_value(arguments) {
+            return Ok(value);
+        }
         let mut weights = Weights::default();
         weights.push_numbers(arguments.iter());
         self.polar_value(&mut weights)
+    }
+
+    /// The same where every number is short.
+    #[inline]
+    fn short_polar_value(&self, arguments: &[C]) -> Option<Vec<C>> {
+        if arguments.len() != self.degree {
+            return None;
+        }
+        let multiples = short_multiples(self.degree)?;
+        let mut product = ShortArguments::default();
+        for argument in arguments {
+            product.take(argument.short_fraction()?)?;
+        }
+        product.combine(multiples, &self.coefficients, self.dimension)
     }
 
     /// The polar value at homogeneous arguments `[w; t]`, vectors (`w = 0`) included.
@@ -215,7 +235,9 @@ impl<C: Coefficient> Curve<C> {
     /// None for a frame of numbers or symbols; the result is checked like any other.
     pub fn segment(&self, frame: &Interval<C>) -> Result<Segment<C>, Error> {
         let shape = Shape::curve(self.degree, self.dimension);
-        let coordinates = change_frame(&shape, (Data::Equation, &self.coefficients), &[frame.vertices()], Data::Net)?;
+        let mut vertices = Weights::default();
+        frame.push_vertices(&mut vertices);
+        let coordinates = change_frame(&shape, (Data::Equation, &self.coefficients), slice::from_ref(&vertices), Data::Net)?;
         Ok(Segment::from_net(ControlNet { shape, coordinates }, frame.clone()))
     }
 
@@ -275,14 +297,20 @@ static MULTIPLES: [i64; (TABLE + 1) * (TABLE + 2) / 2] = {
 /// by each of them, to the parameters, and itself to the divisors.
 #[inline]
 fn push_multiples<C: Coefficient>(degree: usize, parameters: &mut Integers<C>, divisors: &mut Integers<C>) {
-    if degree > TABLE {
+    let Some(multiples) = short_multiples(degree) else {
         let multiples = binomial_multiples(degree);
         divisors.push(C::from(multiples[0].clone()));
         return multiples.into_iter().for_each(|multiple| parameters.push(C::from(multiple)));
-    }
+    };
+    parameters.extend(IntegerSlice::Words(multiples));
+    divisors.push_word(multiples[0]);
+}
+
+/// The multiples of a degree in the table.
+#[inline]
+fn short_multiples(degree: usize) -> Option<&'static [i64]> {
     let start = degree * (degree + 1) / 2;
-    parameters.extend(IntegerSlice::Words(&MULTIPLES[start..=start + degree]));
-    divisors.push_word(MULTIPLES[start]);
+    (degree <= TABLE).then(|| &MULTIPLES[start..=start + degree])
 }
 
 /// The same for any degree.

@@ -98,8 +98,14 @@ impl<C: Coefficient> Interval<C> {
     #[inline]
     pub(crate) fn vertices(&self) -> Weights<C> {
         let mut vertices = Weights::default();
-        vertices.push_numbers([&self.r, &self.s].into_iter());
+        self.push_vertices(&mut vertices);
         vertices
+    }
+
+    /// The same, in place: moving them would be felt on a cubic.
+    #[inline]
+    pub(crate) fn push_vertices(&self, vertices: &mut Weights<C>) {
+        vertices.push_numbers([&self.r, &self.s].into_iter());
     }
 }
 

@@ -22,8 +22,9 @@ pub(crate) fn gcd_u64(mut a: u64, mut b: u64) -> u64 {
     while a != b {
         // Both odd: the difference is even, so every round drops a bit at least.
         // Its trailing zeros do not wait for its sign.
-        let zeros = a.wrapping_sub(b).trailing_zeros();
-        (a, b) = (a.abs_diff(b) >> zeros, a.min(b));
+        let (difference, opposite) = (b.wrapping_sub(a), a.wrapping_sub(b));
+        let zeros = difference.trailing_zeros();
+        (a, b) = if a < b { (difference >> zeros, a) } else { (opposite >> zeros, b) };
     }
     a << shift
 }

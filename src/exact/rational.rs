@@ -41,6 +41,9 @@ pub(super) enum Repr {
     Big(Box<BigRational>),
 }
 
+/// The largest numerator or denominator held inline.
+const LARGEST: u128 = i64::MAX as u128;
+
 const _: () = assert!(size_of::<Rational>() == 16);
 
 impl Rational {
@@ -112,11 +115,21 @@ impl Rational {
     /// `numer / denom` with a sign, in lowest terms already; `denom` is not zero.
     #[inline]
     pub(crate) fn from_lowest(negative: bool, numer: u128, denom: u128) -> Self {
-        const LARGEST: u128 = i64::MAX as u128;
         if numer <= LARGEST && denom <= LARGEST {
             return Self::small(if negative { -(numer as i64) } else { numer as i64 }, denom as u64);
         }
         Self::from_long_lowest(negative, numer, denom)
+    }
+
+    /// Appends such a fraction. (A number that may be of either form is put
+    /// together elsewhere first, and moving it from there waits for that.)
+    #[inline]
+    pub(crate) fn push_lowest(list: &mut Vec<Self>, negative: bool, numer: u128, denom: u128) {
+        if numer <= LARGEST && denom <= LARGEST {
+            list.push(Self::small(if negative { -(numer as i64) } else { numer as i64 }, denom as u64));
+        } else {
+            list.push(Self::from_long_lowest(negative, numer, denom));
+        }
     }
 
     #[cold]

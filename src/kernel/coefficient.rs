@@ -6,6 +6,7 @@ use std::fmt;
 
 use num_bigint::BigInt;
 
+use super::combination::combine;
 use super::denominator::{CommonDenominator, LongDenominators, integer, magnitude_of_integer};
 use super::integers::IntegerSlice;
 use super::layout::Layout;
@@ -92,6 +93,17 @@ pub(crate) mod sealed {
         /// and the results are divided by that denominator and by what
         /// `layouts` says of each.
         fn compute<T: Task>(task: &T, data: &[Self], parameters: IntegerSlice<'_, Self>, layouts: &[Layout<'_, Self>]) -> Vec<Self>;
+
+        /// The point that is a combination of points with some weights, whose
+        /// absolute values add up to no more than `bound`, divided by all of
+        /// `divisors`; `None` if that is not quickly done.
+        fn combine<W: Into<i128>>(
+            data: &[Self],
+            stride: usize,
+            weights: impl Iterator<Item = W> + Clone,
+            bound: u128,
+            divisors: &[i64],
+        ) -> Option<Vec<Self>>;
     }
 }
 
@@ -294,6 +306,17 @@ impl Compute for Rational {
             _ => call.run::<BigInt>(),
         }
     }
+
+    #[inline]
+    fn combine<W: Into<i128>>(
+        data: &[Self],
+        stride: usize,
+        weights: impl Iterator<Item = W> + Clone,
+        bound: u128,
+        divisors: &[i64],
+    ) -> Option<Vec<Self>> {
+        combine(data, stride, weights, bound, divisors)
+    }
 }
 
 /// Polynomials are a ring with rational constants, so nothing needs clearing.
@@ -334,6 +357,10 @@ impl Compute for Polynomial {
             });
         }
         reduced
+    }
+
+    fn combine<W: Into<i128>>(_: &[Self], _: usize, _: impl Iterator<Item = W> + Clone, _: u128, _: &[i64]) -> Option<Vec<Self>> {
+        None
     }
 }
 

@@ -25,6 +25,74 @@ fn magnitude_of_big(value: &Rational) -> Magnitude {
     Magnitude::from_big(value.numer().magnitude())
 }
 
+/// The least common denominator of the numbers so far, where all of it is words.
+#[derive(Default)]
+pub(crate) struct RunningDenominator {
+    /// Zero as long as there was no number.
+    common: u64,
+    /// The largest numerator over it.
+    largest: u64,
+}
+
+impl RunningDenominator {
+    #[inline]
+    pub(crate) fn common(&self) -> u64 {
+        self.common
+    }
+
+    #[inline]
+    pub(crate) fn largest(&self) -> u64 {
+        self.largest
+    }
+
+    /// The numerator of one more number. If that changes the common
+    /// denominator, what came before must be multiplied by a number that
+    /// `missing` is told. `None` if something is longer than a word.
+    #[inline]
+    pub(crate) fn numerator(&mut self, value: &Rational, missing: impl FnOnce(i64)) -> Option<i64> {
+        let (numer, denom) = value.as_small()?;
+        let mut share = 1;
+        if denom > self.common {
+            match denom.checked_div(self.common) {
+                None => self.common = denom,
+                Some(mut factor) => {
+                    if factor * self.common != denom {
+                        (factor, share) = self.cofactors(denom);
+                    }
+                    self.multiply(factor)?;
+                    missing(factor as i64);
+                }
+            }
+        } else if denom < self.common {
+            share = self.common / denom;
+            if share * denom != self.common {
+                let factor;
+                (factor, share) = self.cofactors(denom);
+                self.multiply(factor)?;
+                missing(factor as i64);
+            }
+        }
+        let word = numer.checked_mul(share as i64)?;
+        self.largest = self.largest.max(word.unsigned_abs());
+        Some(word)
+    }
+
+    /// The factors of both denominators that the other one lacks, the new one's first.
+    #[inline]
+    fn cofactors(&self, denom: u64) -> (u64, u64) {
+        let shared = gcd_u64(self.common, denom);
+        (denom / shared, self.common / shared)
+    }
+
+    /// Multiplies the common denominator, and with it what is over it.
+    #[inline]
+    fn multiply(&mut self, factor: u64) -> Option<()> {
+        self.common = self.common.checked_mul(factor).filter(|&common| common <= i64::MAX as u64)?;
+        self.largest = self.largest.checked_mul(factor).filter(|&largest| largest <= i64::MAX as u64)?;
+        Some(())
+    }
+}
+
 /// The least common denominator of the data.
 pub(crate) enum CommonDenominator {
     Word(u64),
@@ -36,29 +104,13 @@ impl CommonDenominator {
     /// them; `None` if they are not all words.
     #[inline]
     pub(crate) fn of_words<'a>(data: impl Iterator<Item = &'a Rational> + Clone, words: &mut Entries<i64>) -> Option<(u64, u64)> {
-        let mut common = data.clone().next()?.as_small()?.1;
-        let mut largest = 0;
+        let mut denominator = RunningDenominator::default();
         words.extend(data.clone().map(|_| 0));
         let words = &mut words[..];
         for (place, value) in data.enumerate() {
-            let (numer, denom) = value.as_small()?;
-            let mut share = 1;
-            if denom != common {
-                share = common / denom;
-                if share * denom != common {
-                    // What came before is brought over the new denominator.
-                    let missing = denom / if denom.is_multiple_of(common) { common } else { gcd_u64(common, denom) };
-                    common = common.checked_mul(missing).filter(|&common| common <= i64::MAX as u64)?;
-                    largest = u64::checked_mul(largest, missing).filter(|&largest| largest <= i64::MAX as u64)?;
-                    words[..place].iter_mut().for_each(|word| *word *= missing as i64);
-                    share = common / denom;
-                }
-            }
-            let word = numer.checked_mul(share as i64)?;
-            largest = largest.max(word.unsigned_abs());
-            words[place] = word;
+            words[place] = denominator.numerator(value, |missing| words[..place].iter_mut().for_each(|word| *word *= missing))?;
         }
-        Some((common, largest))
+        Some((denominator.common, denominator.largest))
     }
 
     /// The least common denominator.

@@ -11,6 +11,7 @@
 //! and [`coefficient`] decides, once a computation, which ring that is.
 
 pub(crate) mod coefficient;
+pub(crate) mod combination;
 pub(crate) mod denominator;
 pub(crate) mod form;
 pub(crate) mod integers;

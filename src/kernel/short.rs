@@ -96,12 +96,12 @@ impl<W: Word> ShortDenominators<W> {
             for result in results {
                 let value = result.as_i128().unwrap_or_default();
                 let magnitude = W::from_u128(value.unsigned_abs());
-                reduced.push(if magnitude.is_zero() {
-                    Rational::from(0)
+                if magnitude.is_zero() {
+                    reduced.push(Rational::from(0));
                 } else {
                     let (numer, denom) = lowest(magnitude, denominator, primes, rest);
-                    Rational::from_lowest(value < 0, numer.into_u128(), denom.into_u128())
-                });
+                    Rational::push_lowest(reduced, value < 0, numer.into_u128(), denom.into_u128());
+                }
             }
         }
     }
@@ -142,27 +142,31 @@ pub(crate) fn reduce_single<R: Integer>(
     if results.len() > 2 || layout.shape.points() != 1 || layout.scales.len() > 0 || layout.multinomial {
         return false;
     }
-    for result in results {
-        let value = result.as_i128().unwrap_or_default();
-        let mut fraction = Fraction { numer: value.unsigned_abs(), denom: 1 };
-        // As many divisors at a time as make a word.
-        let mut word = *common;
-        for divisor in divisors {
-            match word.checked_mul(divisor.unsigned_abs()) {
-                Some(product) => word = product,
-                None => {
-                    if !fraction.divide(std::mem::replace(&mut word, divisor.unsigned_abs())) {
-                        return false;
-                    }
-                }
-            }
-        }
-        if !fraction.divide(word) {
-            return false;
-        }
-        reduced.push(Rational::from_lowest(value < 0, fraction.numer, fraction.denom));
+    results.iter().try_for_each(|result| push_over_words(result.as_i128().unwrap_or_default(), *common, divisors, reduced)).is_some()
+}
+
+/// Appends an integer over a product of positive words, in lowest terms; `None` if the denominator is too long.
+#[inline]
+pub(crate) fn push_over_words(value: i128, mut word: u64, divisors: &[i64], list: &mut Vec<Rational>) -> Option<()> {
+    let numer = value.unsigned_abs();
+    let product = divisors.iter().try_fold(word, |product, &divisor| product.checked_mul(divisor.unsigned_abs()));
+    if let (Ok(numer), Some(denom)) = (u64::try_from(numer), product) {
+        let common = gcd_u64(numer % denom, denom);
+        Rational::push_lowest(list, value < 0, u128::from(numer / common), u128::from(denom / common));
+        return Some(());
     }
-    true
+    let mut fraction = Fraction { numer, denom: 1 };
+    // As many divisors at a time as make a word.
+    for &divisor in divisors {
+        let divisor = divisor.unsigned_abs();
+        match word.checked_mul(divisor) {
+            Some(product) => word = product,
+            None => fraction.divide(std::mem::replace(&mut word, divisor))?,
+        }
+    }
+    fraction.divide(word)?;
+    Rational::push_lowest(list, value < 0, fraction.numer, fraction.denom);
+    Some(())
 }
 
 /// A fraction in lowest terms.
@@ -174,7 +178,7 @@ struct Fraction {
 impl Fraction {
     /// Divides by a word, or says that the denominator becomes too long.
     #[inline]
-    fn divide(&mut self, word: u64) -> bool {
+    fn divide(&mut self, word: u64) -> Option<()> {
         let common = if let Ok(numer) = u64::try_from(self.numer) {
             let common = gcd_u64(numer % word, word);
             self.numer = u128::from(numer / common);
@@ -186,8 +190,7 @@ impl Fraction {
             }
             common
         };
-        let product = self.denom.checked_mul(u128::from(word / common));
-        self.denom = product.unwrap_or_default();
-        product.is_some()
+        self.denom = self.denom.checked_mul(u128::from(word / common))?;
+        Some(())
     }
 }

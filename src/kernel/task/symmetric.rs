@@ -6,6 +6,7 @@ use super::{for_each_argument, weights_growth};
 use crate::exact::magnitude::Magnitude;
 use crate::exact::width::{Entries, Ring};
 use crate::kernel::coefficient::Task;
+use crate::kernel::combination::ShortProduct;
 use crate::kernel::shape::{Factor, Shape};
 
 /// The polar value of an equation: the sum of `A_α e_α c_α`, where the `e_α`
@@ -101,7 +102,7 @@ pub(crate) fn elementary_symmetric<R: Ring>(dimension: usize, arguments: &[R], p
     }
     // As many forms as their product certainly fits words are multiplied out there,
     // so that each pass over the long product takes in several.
-    let mut group = Group { product: Entries::from_elem(1, 1), bound: 1 };
+    let mut group = ShortProduct::default();
     for form in pairs {
         let [Some(w), Some(t)] = form.each_ref().map(R::as_word) else {
             product.push(R::nothing());
@@ -109,49 +110,14 @@ pub(crate) fn elementary_symmetric<R: Ring>(dimension: usize, arguments: &[R], p
             continue;
         };
         if !group.take([w, t]) {
-            group.flush(product);
+            group.multiply_into(product);
             if !group.take([w, t]) {
                 product.push(R::nothing());
                 multiply_by_form(product, form);
             }
         }
     }
-    group.flush(product);
-}
-
-/// A product of linear forms with coefficients of one word.
-struct Group {
-    product: Entries<i64>,
-    /// Not less than the sum of the absolute coefficients.
-    bound: u64,
-}
-
-impl Group {
-    /// Takes in a form if the product certainly fits words.
-    #[inline]
-    fn take(&mut self, [w, t]: [i64; 2]) -> bool {
-        let sum = w.unsigned_abs().checked_add(t.unsigned_abs());
-        let Some(bound) = sum.and_then(|sum| sum.checked_mul(self.bound)).filter(|&bound| bound <= i64::MAX as u64) else { return false };
-        self.bound = bound;
-        let mut before = 0;
-        for entry in &mut self.product {
-            (*entry, before) = (*entry * w + before * t, *entry);
-        }
-        self.product.push(before * t);
-        true
-    }
-
-    /// Multiplies the long product by this one, which becomes 1.
-    fn flush<R: Ring>(&mut self, product: &mut Entries<R>) {
-        let factor: Entries<R> = self.product.iter().map(|&word| R::from_word(word)).collect();
-        if product.len() == 1 && product[0].is_unit() {
-            *product = factor;
-        } else {
-            multiply_by(product, &factor);
-        }
-        self.product.truncate(1);
-        (self.product[0], self.bound) = (1, 1);
-    }
+    group.multiply_into(product);
 }
 
 /// Multiplies a polynomial, whose last entry is still nothing, by `w + t X`.
@@ -166,21 +132,6 @@ fn multiply_by_form<R: Ring>(product: &mut [R], [w, t]: &[R; 2]) {
         to = from;
     }
     to.multiply(w);
-}
-
-/// The product of two polynomials, in place of the first one.
-fn multiply_by<R: Ring>(product: &mut Entries<R>, factor: &[R]) {
-    let count = product.len();
-    product.extend(factor[1..].iter().map(|_| R::nothing()));
-    // From the top down: what is still needed lies below.
-    for place in (0..product.len()).rev() {
-        let skipped = place.saturating_sub(count - 1);
-        let mut sum = R::nothing();
-        for (entry, coefficient) in product[..=place - skipped].iter().rev().zip(&factor[skipped..]) {
-            sum.add_product(entry, coefficient);
-        }
-        product[place] = sum;
-    }
 }
 
 fn symmetric_of_simplex<R: Ring>(dimension: usize, arguments: &[R], product: &mut Entries<R>) {
