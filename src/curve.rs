@@ -152,8 +152,9 @@ impl<C: Coefficient> Curve<C> {
         self.polar_value(&mut weights)
     }
 
-    /// The same where every number is short.
-    #[inline]
+    /// The same where every number is short. (A function of its own has the
+    /// registers for itself, wherever it is called from.)
+    #[inline(never)]
     fn short_polar_value(&self, arguments: &[C]) -> Option<Vec<C>> {
         if arguments.len() != self.degree {
             return None;

@@ -56,6 +56,7 @@ impl<const N: usize> Fixed<N> {
 }
 
 impl<const N: usize> Ring for Fixed<N> {
+    const LONG: bool = N > 4;
     fn nothing() -> Self {
         Self([0; N])
     }

@@ -151,9 +151,11 @@ pub(crate) fn combine<W: Into<i128>>(
         let mut denominator = RunningDenominator::default();
         let mut sum = 0i128;
         // Whatever wraps on the way is right in the end, if the sum fits.
-        for (value, weight) in data[coordinate..].iter().step_by(stride).zip(weights.clone()) {
-            let word = denominator.numerator(value, |missing| sum = sum.wrapping_mul(i128::from(missing)))?;
+        let mut place = coordinate;
+        for weight in weights.clone() {
+            let word = denominator.numerator(data.get(place)?, |missing| sum = sum.wrapping_mul(i128::from(missing)))?;
             sum = sum.wrapping_add(i128::from(word).wrapping_mul(weight.into()));
+            place += stride;
         }
         bound.checked_mul(u128::from(denominator.largest())).filter(|&largest| largest <= i128::MAX as u128)?;
         push_over_words(sum, denominator.common(), divisors, &mut point)?;
