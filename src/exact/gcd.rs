@@ -69,7 +69,7 @@ pub(crate) fn gcd_big(a: &BigUint, b: &BigUint) -> BigUint {
             return BigUint::from(gcd_u128(double_word(&x), double_word(&y)));
         }
         if y.len() == 1 {
-            let rest = remainder_by_word(&x, y[0]);
+            let rest = remainder_by_word(x.iter().copied(), y[0]);
             return BigUint::from(gcd_u64(rest, y[0]));
         }
         match lehmer_cofactors(&x, &y) {
@@ -83,12 +83,8 @@ pub(crate) fn gcd_big(a: &BigUint, b: &BigUint) -> BigUint {
 }
 
 /// The remainder of a number given by its words, least significant first.
-pub(crate) fn remainder_by_word(digits: &[u64], divisor: u64) -> u64 {
-    let mut rest = 0u128;
-    for &digit in digits.iter().rev() {
-        rest = ((rest << 64) | u128::from(digit)) % u128::from(divisor);
-    }
-    rest as u64
+pub(crate) fn remainder_by_word(digits: impl DoubleEndedIterator<Item = u64>, divisor: u64) -> u64 {
+    digits.rev().fold(0, |rest, digit| ((u128::from(rest) << 64 | u128::from(digit)) % u128::from(divisor)) as u64)
 }
 
 /// Reduces `numer / denom` to lowest terms in place.

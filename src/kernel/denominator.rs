@@ -8,7 +8,7 @@ use super::integers::IntegerSlice;
 use super::layout::Layout;
 use super::shape::Shape;
 use crate::exact::Rational;
-use crate::exact::gcd::{gcd_big, gcd_u64};
+use crate::exact::gcd::{gcd_big, gcd_u64, remainder_by_word};
 use crate::exact::magnitude::Magnitude;
 use crate::exact::width::{Entries, Integer, powers};
 
@@ -307,5 +307,5 @@ fn cancel_powers(numerator: &mut BigInt, factor: &mut BigInt, radical: u64) {
 
 /// `|value| mod divisor`
 fn remainder(value: &BigInt, divisor: u64) -> u64 {
-    u64::try_from(value.magnitude() % divisor).unwrap_or(0)
+    remainder_by_word(value.iter_u64_digits(), divisor)
 }
