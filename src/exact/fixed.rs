@@ -57,6 +57,7 @@ impl<const N: usize> Fixed<N> {
 
 impl<const N: usize> Ring for Fixed<N> {
     const LONG: bool = N > 4;
+    const WRAPS: bool = true;
     fn nothing() -> Self {
         Self([0; N])
     }

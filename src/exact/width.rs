@@ -17,6 +17,8 @@ use super::magnitude::Magnitude;
 pub trait Ring: Clone {
     /// Whether a product costs many times a sum.
     const LONG: bool = false;
+    /// Whether numbers are kept modulo a power of two, where only odd factors can be undone.
+    const WRAPS: bool = false;
     /// Whether a product costs more than one of words.
     const WIDE: bool = true;
     /// Zero.
@@ -100,6 +102,7 @@ pub(crate) trait Integer: Ring {
 macro_rules! machine_integer {
     ($type:ty, $words:expr, {$($more:tt)*}) => {
         impl Ring for $type {
+            const WRAPS: bool = true;
             const WIDE: bool = $words > 1;
             #[inline]
             fn nothing() -> Self {

@@ -101,9 +101,10 @@ impl<R: Ring, E: DerefMut<Target = [R]>> Form<E> {
     fn shear(&mut self, factor: usize, source: usize, target: usize, weight: &R) {
         if weight.is_unit() {
             self.shear_by(factor, source, target, R::add);
-        } else if R::LONG {
+        } else if R::LONG && (weight.is_odd() || !R::WRAPS) {
             // In units of `weight` the vertex is sheared by 1: a linear number
-            // of multiplications instead of a quadratic one.
+            // of multiplications instead of a quadratic one. (The larger
+            // entries on the way may wrap.)
             self.scale(factor, source, weight);
             self.shear_by(factor, source, target, R::add);
             self.unscale(factor, source, weight);
@@ -331,6 +332,9 @@ fn lines(simplex: Factor, source: usize, target: usize) -> SmallVec<[SmallVec<[u
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::fixed::Fixed;
+    use crate::exact::width::Integer;
+    use num_bigint::BigInt;
     use proptest::prelude::*;
 
     fn triangle(degree: usize, entries: Vec<i128>) -> Form<Vec<i128>> {
@@ -378,12 +382,21 @@ mod tests {
         ) {
             let degree = 12 / stride - 1;
             let words = Form { shape: Shape::curve(degree, stride), entries: entries[..(degree + 1) * stride].to_vec() };
-            let mut long: Form<Vec<_>> = Form { shape: words.shape, entries: words.entries.iter().map(|&x| num_bigint::BigInt::from(x)).collect() };
+            let mut long: Form<Vec<_>> = Form { shape: words.shape, entries: words.entries.iter().map(|&x| BigInt::from(x)).collect() };
             let mut double: Form<Vec<i128>> = Form { shape: words.shape, entries: words.entries.iter().map(|&x| i128::from(x)).collect() };
             let before = double.clone();
-            long.replace(0, vertex, &weights.map(num_bigint::BigInt::from));
+            long.replace(0, vertex, &weights.map(BigInt::from));
             double.replace(0, vertex, &weights.map(i128::from));
-            prop_assert_eq!(&long.entries, &double.entries.iter().map(|&x| num_bigint::BigInt::from(x)).collect::<Vec<_>>());
+            prop_assert_eq!(&long.entries, &double.entries.iter().map(|&x| BigInt::from(x)).collect::<Vec<_>>());
+            // Where the entries on the way are too long, and perhaps the results too.
+            let shifted = |x: &BigInt| Fixed::<6>::from_big(&(x << 370)).into_big();
+            let mut fixed: Form<Vec<_>> =
+                Form { shape: words.shape, entries: words.entries.iter().map(|&x| Fixed::<6>::from_big(&(BigInt::from(x) << 370))).collect() };
+            fixed.replace(0, vertex, &weights.map(Fixed::<6>::from_i64));
+            prop_assert_eq!(
+                fixed.entries.into_iter().map(Fixed::into_big).collect::<Vec<_>>(),
+                long.entries.iter().map(shifted).collect::<Vec<_>>()
+            );
             for at in [[2i128, 3], [-1, 2], [1, 0], [0, 1]] {
                 let mut old = at;
                 for source in 0..2 {
