@@ -5,7 +5,7 @@
 //! `κ12 = 9 A`, `κ31 = 3 (2A - B)`, `κ23 = 3 (A - B + C)` and
 //! `D = 27 (B² - 4 A C)`; none of the classes depends on the frame.
 
-use super::{CubicClass, Invariants};
+use super::{Branch, CubicClass, Invariants};
 use crate::affine::Interval;
 use crate::error::Error;
 use crate::exact::{Rational, gcd::gcd_u64};
@@ -109,19 +109,6 @@ fn by_invariants(points: &[Rational; 8]) -> CubicClass {
     class().unwrap_or(CubicClass::Straight)
 }
 
-/// The class by the signs of `κ23`, `D`, and by which of the others are zero.
-#[inline]
-fn class_of(kappa23_is_zero: bool, discriminant: i8, kappa31_is_zero: bool, kappa12_is_zero: bool) -> CubicClass {
-    match (kappa23_is_zero, discriminant) {
-        (false, 1) => CubicClass::Humpy,
-        (false, -1) => CubicClass::Loopy,
-        (false, _) => CubicClass::Pointy,
-        (true, _) if !kappa31_is_zero => CubicClass::SShaped,
-        (true, _) if !kappa12_is_zero => CubicClass::Parabolic,
-        (true, _) => CubicClass::Straight,
-    }
-}
-
 /// For coordinates below `2^29`: the determinants are below `8 · 2^58`, and so
 /// are below `2^63` when three are added.
 #[inline]
@@ -131,7 +118,7 @@ fn in_one_word(p: &[i64; 8]) -> CubicClass {
     let det = |v: (i64, i64), w: (i64, i64)| v.0 * w.1 - v.1 * w.0;
     let (a, b, c) = (det(first, second), det(first, third), det(second, third));
     let (square, product) = (i128::from(b) * i128::from(b), i128::from(a) * i128::from(c) * 4);
-    class_of(a - b + c == 0, i8::from(square > product) - i8::from(square < product), 2 * a == b, a == 0)
+    Branch::of(a - b + c == 0, || square.cmp(&product), || 2 * a == b, || a == 0).class()
 }
 
 /// For coordinates of any length: below `2^60` the edges fit a word, and three
@@ -149,13 +136,12 @@ fn in_words(p: &[i64; 8]) -> CubicClass {
     let det = |v: (i64, i64), w: (i64, i64)| i128::from(v.0) * i128::from(w.1) - i128::from(v.1) * i128::from(w.0);
     let (a, b, c) = (det(first, second), det(first, third), det(second, third));
     let discriminant = if (a < 0) == (c < 0) && a != 0 && c != 0 {
-        let (square, product) = (square(b.unsigned_abs()), product(2 * a.unsigned_abs(), 2 * c.unsigned_abs()));
-        i8::from(square > product) - i8::from(square < product)
+        square(b.unsigned_abs()).cmp(&product(2 * a.unsigned_abs(), 2 * c.unsigned_abs()))
     } else {
         // B² - 4 A C with A C ≤ 0
-        i8::from(a != 0 && c != 0 || b != 0)
+        (a != 0 && c != 0 || b != 0).cmp(&false)
     };
-    class_of(a - b + c == 0, discriminant, 2 * a == b, a == 0)
+    Branch::of(a - b + c == 0, || discriminant, || 2 * a == b, || a == 0).class()
 }
 
 fn square(value: u128) -> (u128, u128) {

@@ -1,5 +1,6 @@
 //! The classes of planar cubics, with the names they have elsewhere.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 /// What a planar cubic is, as a whole curve. The classes exclude each other,
@@ -40,6 +41,30 @@ pub enum Branch {
 }
 
 impl Branch {
+    /// The branch by the answers to its tests, asked for in this order: whether
+    /// `κ23` is zero, the sign of `D`, whether `κ31` and `κ12` are zero.
+    #[inline]
+    pub(super) fn of(
+        kappa23_is_zero: bool,
+        discriminant: impl FnOnce() -> Ordering,
+        kappa31_is_zero: impl FnOnce() -> bool,
+        kappa12_is_zero: impl FnOnce() -> bool,
+    ) -> Self {
+        if !kappa23_is_zero {
+            match discriminant() {
+                Ordering::Greater => Self::DiscriminantPositive,
+                Ordering::Less => Self::DiscriminantNegative,
+                Ordering::Equal => Self::DiscriminantZero,
+            }
+        } else if !kappa31_is_zero() {
+            Self::OnlyKappa23Zero
+        } else if !kappa12_is_zero() {
+            Self::OnlyKappa12Left
+        } else {
+            Self::AllZero
+        }
+    }
+
     /// The class at the end of the branch.
     #[must_use]
     pub fn class(self) -> CubicClass {

@@ -2,7 +2,7 @@
 
 use num_traits::{Signed, Zero};
 
-use super::{Cubic, CubicClass, Invariants};
+use super::{Branch, Cubic, CubicClass, Invariants};
 use crate::error::Error;
 use crate::exact::{Rational, Surd};
 use crate::segment::Segment;
@@ -74,19 +74,9 @@ impl Moved {
 
     /// The class after a move.
     fn class(&self, by: &Surd) -> CubicClass {
-        let sign = |polynomial: &Quadratic| by.evaluate(polynomial.iter()).signum();
-        if sign(&self.kappa23) != 0 {
-            return match sign(&self.discriminant) {
-                1 => CubicClass::Humpy,
-                0 => CubicClass::Pointy,
-                _ => CubicClass::Loopy,
-            };
-        }
-        match (sign(&self.kappa31), sign(&self.kappa12)) {
-            (0, 0) => CubicClass::Straight,
-            (0, _) => CubicClass::Parabolic,
-            _ => CubicClass::SShaped,
-        }
+        let sign = |polynomial: &Quadratic| by.evaluate(polynomial.iter()).signum().cmp(&0);
+        let is_zero = |polynomial| sign(polynomial).is_eq();
+        Branch::of(is_zero(&self.kappa23), || sign(&self.discriminant), || is_zero(&self.kappa31), || is_zero(&self.kappa12)).class()
     }
 
     /// The moves where the class may change.

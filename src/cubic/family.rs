@@ -1,6 +1,8 @@
 //! Cubics with one symbolic parameter, and where their class changes.
 
-use super::{CubicClass, Invariants};
+use std::cmp::Ordering;
+
+use super::{Branch, CubicClass, Invariants};
 use crate::algebraic::AlgebraicNumber;
 use crate::curve::Curve;
 use crate::error::Error;
@@ -99,28 +101,19 @@ fn vanishes(polynomial: &[Rational]) -> bool {
 
 /// The sign of a polynomial at a root of a polynomial that all of its own roots
 /// are roots of, or whether it vanishes there, which is all that is asked of others.
-fn sign_at(polynomial: &[Rational], at: &AlgebraicNumber) -> i8 {
-    match at {
+fn sign_at(polynomial: &[Rational], at: &AlgebraicNumber) -> Ordering {
+    let sign = match at {
         AlgebraicNumber::Surd(surd) => surd.evaluate(polynomial.iter()).signum(),
         AlgebraicNumber::Isolated(root) if root.is_root_of(polynomial) => 0,
         AlgebraicNumber::Isolated(root) => Surd::from(root.middle()).evaluate(polynomial.iter()).signum(),
-    }
+    };
+    sign.cmp(&0)
 }
 
 impl Sides {
     fn class(&self, at: &AlgebraicNumber) -> CubicClass {
-        if sign_at(&self.kappa23, at) != 0 {
-            return match sign_at(&self.discriminant, at) {
-                1 => CubicClass::Humpy,
-                0 => CubicClass::Pointy,
-                _ => CubicClass::Loopy,
-            };
-        }
-        match (sign_at(&self.kappa31, at), sign_at(&self.kappa12, at)) {
-            (0, 0) => CubicClass::Straight,
-            (0, _) => CubicClass::Parabolic,
-            _ => CubicClass::SShaped,
-        }
+        let is_zero = |polynomial| sign_at(polynomial, at).is_eq();
+        Branch::of(is_zero(&self.kappa23), || sign_at(&self.discriminant, at), || is_zero(&self.kappa31), || is_zero(&self.kappa12)).class()
     }
 
     /// The breakpoints, and the classes around them.

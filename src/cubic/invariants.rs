@@ -1,6 +1,6 @@
 //! The invariants of planar cubics.
 
-use num_traits::{Signed, Zero};
+use num_traits::Zero;
 
 use super::class::{Branch, CubicClass};
 use crate::curve::Curve;
@@ -51,21 +51,12 @@ impl Invariants {
     /// lecture 6, figure 6).
     #[must_use]
     pub fn branch(&self) -> Branch {
-        if !self.kappa23.is_zero() {
-            let discriminant = self.discriminant();
-            return if discriminant.is_zero() {
-                Branch::DiscriminantZero
-            } else if discriminant.is_positive() {
-                Branch::DiscriminantPositive
-            } else {
-                Branch::DiscriminantNegative
-            };
-        }
-        match (self.kappa31.is_zero(), self.kappa12.is_zero()) {
-            (false, _) => Branch::OnlyKappa23Zero,
-            (true, false) => Branch::OnlyKappa12Left,
-            (true, true) => Branch::AllZero,
-        }
+        Branch::of(
+            self.kappa23.is_zero(),
+            || self.discriminant().cmp(&Rational::zero()),
+            || self.kappa31.is_zero(),
+            || self.kappa12.is_zero(),
+        )
     }
 
     /// The class.
