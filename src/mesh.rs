@@ -78,25 +78,13 @@ pub(crate) fn in_space(piece: &Piece, weighted: bool) -> Result<Piece, Error> {
                 point.insert(2, Rational::from(0));
                 point
             };
-            rebuilt(piece, piece.points().map(flat).collect())
+            piece.with_points(piece.points().map(flat).collect())
         }
         (_, 1) if !weighted => graph(piece),
         _ => Err(Error::Unsupported(format!(
             "a picture of a surface needs 1, 2 or 3 coordinates, found {dimension}: `transform` projects it"
         ))),
     }
-}
-
-/// The same kind of piece over the same frame with other points.
-fn rebuilt(piece: &Piece, points: Vec<Vec<Rational>>) -> Result<Piece, Error> {
-    use crate::rectangular::RectangularPatch;
-    use crate::segment::Segment;
-    use crate::triangular::TriangularPatch;
-    Ok(match piece {
-        Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
-        Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
-        Piece::Rectangle(patch) => Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?),
-    })
 }
 
 /// The graph `(u, v, F(u, v))`.

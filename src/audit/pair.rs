@@ -17,7 +17,6 @@ use crate::piece::{Equation, Piece};
 use crate::rectangular::RectangularPatch;
 use crate::segment::Segment;
 use crate::side::Arrangement;
-use crate::triangular::TriangularPatch;
 
 /// Two sides that meet.
 pub(super) struct Pair<'a> {
@@ -79,14 +78,7 @@ impl Pair<'_> {
                 if !self.is_rational() || part.rational {
                     return Ok(part.piece.clone());
                 }
-                let points = part.piece.points().map(|point| lifted(part, point, true)).collect();
-                Ok(match &part.piece {
-                    Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
-                    Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
-                    Piece::Rectangle(patch) => {
-                        Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?)
-                    }
-                })
+                part.piece.with_points(part.piece.points().map(|point| lifted(part, point, true)).collect())
             };
             let (from, to, _) = domain::edge(self.part(first), first.1);
             let joint = if first.1.is_end() { Joint::Parameter(from[0].clone()) } else { Joint::Edge([from, to]) };

@@ -207,11 +207,6 @@ fn in_symbols<C: Coefficient>(piece: &Piece<C>) -> Result<Piece<Polynomial>, Err
     over(piece, points, frame)
 }
 
-/// A piece of the same kind and frame with other points.
-pub(super) fn with_points(piece: &Piece<Polynomial>, points: Vec<Vec<Polynomial>>) -> Result<Piece<Polynomial>, Error> {
-    over(piece, points, piece.frame())
-}
-
 fn over<C: Coefficient>(piece: &Piece<C>, points: Vec<Vec<Polynomial>>, frame: Frame<Polynomial>) -> Result<Piece<Polynomial>, Error> {
     Ok(match (piece, frame) {
         (_, Frame::Interval(frame)) => Piece::Curve(Segment::from_points(points, frame)?),

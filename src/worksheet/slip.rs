@@ -245,7 +245,7 @@ impl Slip {
                     }
                 };
                 let points = piece.points().map(point).collect::<Result<Vec<_>, _>>()?;
-                Ok(Net { piece: super::request::with_points(piece, points)?, weighted: false })
+                Ok(Net { piece: piece.with_points(points)?, weighted: false })
             }
             _ => Ok(net.clone()),
         }

@@ -10,9 +10,6 @@ use crate::model::json::Fault;
 use crate::model::splines::SplineWork;
 use crate::model::{Flaw, Follow, Format, Model, Part, Place, Places, group_name};
 use crate::piece::Piece;
-use crate::rectangular::RectangularPatch;
-use crate::segment::Segment;
-use crate::triangular::TriangularPatch;
 use crate::weights::homogeneous_points;
 
 /// Reads a shape file of any kind: one piece, a spline, or a model with a list
@@ -117,10 +114,5 @@ impl<'a> ModelReader<'a> {
 /// The piece whose points `(w b, w)` have the weight as their last coordinate.
 fn homogeneous(piece: &Piece, weights: &[Rational]) -> Result<Piece, Error> {
     let points: Vec<Vec<Rational>> = piece.points().map(<[Rational]>::to_vec).collect();
-    let points = homogeneous_points(&points, weights)?;
-    Ok(match piece {
-        Piece::Curve(segment) => Piece::Curve(Segment::from_points(points, segment.frame().clone())?),
-        Piece::Triangle(patch) => Piece::Triangle(TriangularPatch::from_points(points, patch.frame().clone())?),
-        Piece::Rectangle(patch) => Piece::Rectangle(RectangularPatch::from_points(patch.degree(), points, patch.frame().clone())?),
-    })
+    piece.with_points(homogeneous_points(&points, weights)?)
 }
