@@ -47,13 +47,10 @@ pub(super) fn separated(arguments: Vec<String>, program: &Command) -> Vec<String
             }
             continue;
         }
-        let short = argument.strip_prefix('-').and_then(|rest| {
-            let mut letters = rest.chars();
-            letters.next().filter(|_| letters.next().is_none())
-        });
+        let letters = argument.strip_prefix('-').unwrap_or_default();
+        let short = letters.chars().next().filter(|letter| letters.len() == letter.len_utf8());
         let is_known = |letter: char| matches!(letter, 'h' | 'V') || found.get_arguments().any(|flag| flag.get_short() == Some(letter));
-        let is_cluster = argument.len() > 2 && argument[1..].chars().all(|letter| matches!(letter, 'q' | 'v'));
-        if argument.starts_with('-') && is_cluster {
+        if letters.len() > 1 && letters.chars().all(|letter| matches!(letter, 'q' | 'v')) {
             flags.push(argument);
             continue;
         }

@@ -115,7 +115,17 @@ fn push_denominators<R: Ring>(layout: &Layout<'_, Rational>, constant: &R, entri
     } else {
         entries.resize(layout.shape.points(), constant.clone());
     }
-    if let IntegerSlice::Words(mut scales) = layout.scales
+    if let (&[Factor { dimension: 1, degree }], IntegerSlice::Words(&[first, last])) = (&layout.shape.factors[..], layout.scales) {
+        // The two ends of a curve at once.
+        let (first, last) = (R::from_word(first), R::from_word(last));
+        let (mut first_power, mut last_power) = (R::unit(), R::unit());
+        for k in 1..=degree {
+            last_power.multiply(&last);
+            entries[k].multiply(&last_power);
+            first_power.multiply(&first);
+            entries[degree - k].multiply(&first_power);
+        }
+    } else if let IntegerSlice::Words(mut scales) = layout.scales
         && !scales.is_empty()
     {
         let mut form = Form { shape: Shape { stride: 1, ..layout.shape }, entries: &mut entries[..] };
