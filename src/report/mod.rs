@@ -37,3 +37,12 @@ pub use mathematica::mathematica;
 pub use notice::{Level, Notice, Obstacle, Report, Rule};
 pub use sheet::latex;
 pub use text::text;
+
+/// What a field is called in text.
+fn title(name: &str) -> String {
+    match name {
+        "distinct_roots_open" => "roots inside the frame".to_owned(),
+        "roots_with_multiplicity_open" => "counted with multiplicity".to_owned(),
+        _ => name.replace('_', " "),
+    }
+}

@@ -2,8 +2,10 @@
 
 use super::finding;
 use super::formula::Notation;
+use super::title;
 use crate::kernel::coefficient::Coefficient;
 use crate::piece::Piece;
+use crate::scheme::polar_label;
 use crate::value::{Answer, Arguments, Value};
 
 /// The answer as the lines of an `aligned` block, ready to paste between `$$`.
@@ -80,9 +82,9 @@ fn field<C: Coefficient>(
         }
         Value::Counts(counts) => {
             let list: Vec<String> = counts.iter().map(usize::to_string).collect();
-            lines.push(format!("\\text{{{}}} &= ({})", name.replace('_', " "), list.join(", ")));
+            lines.push(format!("\\text{{{}}} &= ({})", title(name), list.join(", ")));
         }
-        Value::Word(word) => lines.push(format!("\\text{{{}: {word}}}", name.replace('_', " "))),
+        Value::Word(word) => lines.push(format!("\\text{{{}: {word}}}", title(name))),
         Value::Nothing if name == "point" => lines.push("\\text{the point is at infinity}".to_owned()),
         Value::Nothing if matches!(name, "ast" | "rat" | "rsa") => lines.push(format!("\\text{{{name}: flat}}")),
         Value::Nothing if matches!(name, "ll" | "rl" | "lr" | "rr") => lines.push(format!("\\text{{{name}: without width}}")),
@@ -93,15 +95,15 @@ fn field<C: Coefficient>(
                 lines.push(format!("{} &= {}", subscripts(label), shown(point, weighted, notation)));
             }
         }
-        Value::Matrix(rows) => lines.push(format!("\\text{{{}}} &= {}", name.replace('_', " "), matrix(rows, notation))),
+        Value::Matrix(rows) => lines.push(format!("\\text{{{}}} &= {}", title(name), matrix(rows, notation))),
         Value::Numbers(numbers) if name == "barycentric" => {
             let list: Vec<String> = numbers.iter().map(|number| notation.number(number)).collect();
             lines.push(format!("(\\lambda, \\mu, \\nu) &= {}", crate::syntax::printer::point(&list, notation.style)));
         }
-        Value::Number(number) => lines.push(format!("\\text{{{}}} &= {}", name.replace('_', " "), notation.number(number))),
-        Value::Count(count) => lines.push(format!("\\text{{{}}} &= {count}", name.replace('_', " "))),
+        Value::Number(number) => lines.push(format!("\\text{{{}}} &= {}", title(name), notation.number(number))),
+        Value::Count(count) => lines.push(format!("\\text{{{}}} &= {count}", title(name))),
         Value::Truth(truth) => {
-            lines.push(format!("\\text{{{}: {}}}", name.replace('_', " "), if *truth { "yes" } else { "no" }));
+            lines.push(format!("\\text{{{}: {}}}", title(name), if *truth { "yes" } else { "no" }));
         }
         Value::Scheme(scheme) => {
             for j in 0..=scheme.degree() {
@@ -111,7 +113,7 @@ fn field<C: Coefficient>(
             }
         }
         Value::Point(point) => {
-            let head = notation.heading(arguments, name).unwrap_or_else(|| format!("\\text{{{}}}", name.replace('_', " ")));
+            let head = notation.heading(arguments, name).unwrap_or_else(|| format!("\\text{{{}}}", title(name)));
             lines.push(format!("{head} &= {}", shown(point, weighted, notation)));
         }
         Value::Points(points) if !matches!(name, "left" | "right") => {
@@ -119,6 +121,15 @@ fn field<C: Coefficient>(
         }
         Value::Numbers(numbers) if name == "values" => {
             lines.extend(numbers.iter().enumerate().map(|(k, number)| format!("\\sigma_{{{k}}} &= {}", notation.number(number))));
+        }
+        Value::List(values) if name == "order" => {
+            for value in values {
+                if let Value::Counts(index) = value
+                    && let [i, j, k] = index.as_slice()
+                {
+                    lines.push(format!("b_{{{i},{j},{k}}} &= {}", polar_label(&[("r", *i), ("s", *j), ("t", *k)])));
+                }
+            }
         }
         Value::List(values) => {
             for value in values {
@@ -144,6 +155,18 @@ fn record<C: Coefficient>(
     {
         let kept = if *kept { " = X(u, v)" } else { "" };
         lines.push(format!("\\text{{{symmetry}}} &: {relation}{kept}"));
+        return Ok(());
+    }
+    if let Some(Value::Count(multiplicity)) = get("multiplicity") {
+        let place = match (get("t"), get("between")) {
+            (Some(Value::Number(exact)), _) => format!("{} &= {}", notation.variable, notation.number(exact)),
+            (_, Some(Value::Numbers(ends))) if ends.len() == 2 => {
+                format!("{} &\\in \\left({}, {}\\right)", notation.variable, notation.number(&ends[0]), notation.number(&ends[1]))
+            }
+            _ => return Ok(()),
+        };
+        let times = if *multiplicity > 1 { format!("\\; \\text{{({multiplicity} times)}}") } else { String::new() };
+        lines.push(place + &times);
         return Ok(());
     }
     let (index, letters, body) = match (get("index"), get("polynomial")) {

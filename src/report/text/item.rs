@@ -18,7 +18,8 @@ impl<C: Coefficient> Page<'_, C> {
                     let place = match (get("t"), get("between")) {
                         (Some(exact), _) => format!("{letter} = {}", self.inline(exact)),
                         (_, Some(Value::Numbers(ends))) if ends.len() == 2 => {
-                            format!("{} < {letter} < {}", self.notation.number(&ends[0]), self.notation.number(&ends[1]))
+                            let [low, high] = [0, 1].map(|end| self.inline(&Value::Number(ends[end].clone())));
+                            format!("{low} < {letter} < {high}")
                         }
                         _ => String::new(),
                     };

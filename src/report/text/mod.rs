@@ -5,6 +5,7 @@ mod net;
 
 use super::finding;
 use super::formula::Notation;
+use super::title;
 use crate::blossom::PolarForm;
 use crate::draw::obj;
 use crate::kernel::coefficient::Coefficient;
@@ -40,11 +41,7 @@ struct Page<'a, C> {
 
 impl<C: Coefficient> Page<'_, C> {
     pub(super) fn field(&mut self, name: &str, value: &Value<C>, named: bool) -> Result<(), String> {
-        let title = match name {
-            "distinct_roots_open" => "roots inside the frame".to_owned(),
-            "roots_with_multiplicity_open" => "counted with multiplicity".to_owned(),
-            _ => name.replace('_', " "),
-        };
+        let title = title(name);
         match value {
             Value::Truth(truth) => self.truth(name, &title, *truth),
             Value::Count(count) => self.lines.push(format!("{title}: {count}")),
