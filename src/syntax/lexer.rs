@@ -117,6 +117,12 @@ impl<'a> Lexer<'a> {
             '.' if self.rest().starts_with(|next: char| next.is_ascii_digit()) => self.number(start)?,
             '.' if self.rest().starts_with('.') => {
                 self.at += 1;
+                // `0...1` may be meant as `0..1` or as `0..0.1`.
+                if self.rest().starts_with('.') {
+                    let span = Span::new(start, self.at + 1);
+                    return Err(SyntaxError::new(span, "found `...`, expected `..`")
+                        .with_help("a decimal after `..` begins with a digit: `0..0.1`"));
+                }
                 self.push(TokenKind::Range, start);
             }
             '.' => self.dot(start)?,
