@@ -8,7 +8,7 @@ use std::thread;
 
 use serde_json::value::RawValue;
 
-use crate::model::{Fault, Fields};
+use crate::model::{Fault, Fields, without_place};
 use crate::ops::Operation;
 use crate::report::stream::output_text;
 
@@ -125,10 +125,10 @@ fn answer(line: &[u8], output: &mut impl Write) -> io::Result<()> {
     let Ok(text) = std::str::from_utf8(line) else {
         return write_answer(output, None, None, Err(Fault::new("bad-json", "the line is not valid UTF-8")));
     };
-    let raw: &RawValue = match serde_json::from_str(text) {
+    let raw: &RawValue = match serde_json::from_str(text.trim_end()) {
         Ok(raw) => raw,
         Err(error) => {
-            let message = format!("not JSON: {error}");
+            let message = format!("not JSON: {}, in column {}", without_place(&error), error.column());
             return write_answer(output, None, None, Err(Fault::new("bad-json", message)));
         }
     };

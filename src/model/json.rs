@@ -241,3 +241,12 @@ fn check_dimensions<'p>(points: impl Iterator<Item = &'p Vec<Rational>> + Clone)
 pub(crate) fn depth(raw: &RawValue) -> usize {
     raw.get().bytes().filter(|byte| !byte.is_ascii_whitespace()).take_while(|&byte| byte == b'[').count()
 }
+
+/// What `serde_json` says, without the line and column behind it.
+pub(crate) fn without_place(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    match message.rfind(" at line ") {
+        Some(end) => message[..end].to_owned(),
+        None => message,
+    }
+}

@@ -28,7 +28,7 @@ use crate::rectangular::RectangularPatch;
 pub use decimals::Decimals;
 pub use format::Format;
 pub use json::{Fault, Fields, number, numbers, points, rows};
-pub(crate) use json::{count, depth, excerpt, list, plain};
+pub(crate) use json::{count, depth, excerpt, list, plain, without_place};
 pub(crate) use place::shown;
 pub use place::{Flaw, Place, Places};
 pub use shape::{ShapeFile, read_shape};

@@ -8,7 +8,7 @@ use crate::exact::Rational;
 use crate::model::decimals::Decimals;
 use crate::model::json::Fault;
 use crate::model::splines::SplineWork;
-use crate::model::{Flaw, Follow, Format, Model, Part, Place, Places, group_name};
+use crate::model::{Flaw, Follow, Format, Model, Part, Place, Places, group_name, without_place};
 use crate::piece::Piece;
 use crate::weights::homogeneous_points;
 
@@ -41,15 +41,6 @@ pub(in crate::model) fn read(text: &str) -> Result<Model, Flaw> {
     }
     let ModelReader { decimals, parts, joints, .. } = reader;
     Ok(Model { joints, ..Model::of_patches(Format::Shape, parts, decimals.finest()) })
-}
-
-/// What `serde_json` says, without the line and column behind it.
-fn without_place(error: &serde_json::Error) -> String {
-    let message = error.to_string();
-    match message.rfind(" at line ") {
-        Some(end) => message[..end].to_owned(),
-        None => message,
-    }
 }
 
 /// The pieces of a shape file as they are read.
