@@ -34,9 +34,9 @@ mod tests {
 
     #[test]
     fn arrows_keep_away_from_dots() {
-        let line = Bezier(vec![[0.0, 0.0], [200.0, 0.0]]);
+        let line = Bezier::new(vec![[0.0, 0.0], [200.0, 0.0]]);
         assert!(arrow(&line, &[]).is_some_and(|(at, outline)| (at[0] - 101.75).abs() < 1e-9 && outline.starts_with("M107,0")));
         assert!(arrow(&line, &[[100.0, 0.0]]).is_some_and(|(at, _)| (at[0] - 100.0).abs() > 15.0));
-        assert!(arrow(&Bezier(vec![[5.0, 5.0]; 3]), &[]).is_none());
+        assert!(arrow(&Bezier::new(vec![[5.0, 5.0]; 3]), &[]).is_none());
     }
 }

@@ -10,6 +10,8 @@ use crate::segment::Segment;
 
 /// The largest degree whose steps are explained one by one.
 const MAX_EXPLAINED: usize = 6;
+/// The most weights that are listed.
+const MAX_TOLD_WEIGHTS: usize = 7;
 /// Where lines begin.
 const LEFT: f64 = 20.0;
 
@@ -23,9 +25,13 @@ pub(super) struct Caption {
 }
 
 impl Caption {
-    pub(super) fn new(segment: &Segment, parameter: Option<&Rational>, depth: Option<usize>) -> Self {
+    pub(super) fn new(segment: &Segment, weights: Option<&[Rational]>, parameter: Option<&Rational>, depth: Option<usize>) -> Self {
         let (degree, [r, s]) = (segment.degree(), [segment.frame().r(), segment.frame().s()].map(short));
-        let title = format!("{} over {r}..{s}", kind(degree));
+        let kind = match weights {
+            None => kind(degree),
+            Some(_) => kind(degree).replacen("A ", "A rational ", 1).into(),
+        };
+        let title = format!("{kind} over {r}..{s}");
         let mut vertices = format!("{}, {}", equation("r", &r), equation("s", &s));
         let mut keys = Vec::new();
         if let Some(t) = parameter {
@@ -37,6 +43,9 @@ impl Caption {
             }
         }
         let mut notes = vec![vertices];
+        if let Some(weights) = weights.filter(|weights| weights.len() <= MAX_TOLD_WEIGHTS) {
+            notes.push(format!("weights {}", weights.iter().map(short).collect::<Vec<_>>().join(", ")));
+        }
         if let Some(depth) = depth {
             let (rounds, pieces) = (if depth == 1 { "round" } else { "rounds" }, 1_usize << depth.min(60));
             notes.push(format!("{depth} {rounds} of splitting in the middle, {pieces} {}", if pieces == 1 { "piece" } else { "pieces" }));

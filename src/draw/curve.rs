@@ -8,7 +8,7 @@ use super::feature::Features;
 use super::label::{Obstacles, draw_labels};
 use super::mark::{Mark, Rank, control_name, draw_dots, labels, polar_name};
 use super::number::short;
-use super::scene::{Place, Scene, place_of};
+use super::scene::{Place, Scene, flattened, lifted, place_of, shown};
 use super::style;
 use super::svg::{Stroke, Svg};
 use super::view::Rect;
@@ -44,6 +44,7 @@ const CHORDS: usize = 48;
 #[derive(Clone, Debug)]
 pub struct CurvePicture {
     segment: Segment,
+    weights: Option<Vec<Rational>>,
     parameter: Option<Rational>,
     depth: Option<usize>,
     angles: [i32; 2],
@@ -59,7 +60,19 @@ impl CurvePicture {
     /// The curve and its control polygon, with labels.
     #[must_use]
     pub fn new(segment: Segment) -> Self {
-        Self { segment, parameter: None, depth: None, angles: [30, 25], features: false }
+        Self { segment, weights: None, parameter: None, depth: None, angles: [30, 25], features: false }
+    }
+
+    /// A rational curve, by its homogeneous control points `(w b, w)`.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] unless all weights are positive or all negative:
+    /// the curve might go through infinity.
+    pub fn rational(homogeneous: &Segment) -> Result<Self, Error> {
+        match flattened(homogeneous)? {
+            Some((segment, weights)) => Ok(Self { weights: Some(weights), ..Self::new(segment) }),
+            None => Err(Error::Unsupported("a curve is drawn only if the weights of its control points are all positive or all negative; `split` gives pieces where they are".into())),
+        }
     }
 
     /// Also the shells of de Casteljau's algorithm at a parameter, inside the
@@ -106,12 +119,12 @@ impl CurvePicture {
         }
         // The steps of an algorithm and the features of the curve would hide each other.
         let plain = self.parameter.is_none() && self.depth.is_none();
-        let features = if plain || self.features { Features::of(&self.segment) } else { None };
-        let mut caption = Caption::new(&self.segment, self.parameter.as_ref(), self.depth);
+        let features = if self.weights.is_none() && (plain || self.features) { Features::of(&self.segment) } else { None };
+        let mut caption = Caption::new(&self.segment, self.weights.as_deref(), self.parameter.as_ref(), self.depth);
         if let Some(features) = &features {
             caption.add_note(features.note.clone());
         }
-        let scene = Scene::new(&self.segment, self.parameter.as_ref(), self.angles, caption.height())?;
+        let scene = Scene::new(&self.segment, self.weights.as_deref(), self.parameter.as_ref(), self.angles, caption.height())?;
         let rect = scene.view.rect;
         let [right, bottom] = if scene.space.is_some() { [20.0, 6.0] } else { [24.0, 40.0] };
         let size = [(rect.right + right).max(caption.width()).ceil(), (rect.bottom + bottom).ceil()];
@@ -151,7 +164,7 @@ impl CurvePicture {
         svg.path(&shadow.path(), Stroke::solid(style::SHADOW, 2.0));
         obstacles.add(&shadow.samples(CHORDS), 0.3);
         if self.segment.degree() <= 12 {
-            for (from, to) in scene.control().into_iter().zip(shadow.0) {
+            for (from, to) in scene.control().into_iter().zip(shadow.points) {
                 svg.line(from, to, Stroke::dashed(style::SHADOW, 1.0, "1.5 3"));
                 svg.dot(to, 1.8, style::SHADOW, Stroke::solid(style::SHADOW, 0.0), "");
             }
@@ -227,16 +240,16 @@ impl CurvePicture {
         let Some(depth) = self.depth else { return };
         let pieces = scene.curve().subdivide(depth);
         // The dots of short pieces are small.
-        let length = |piece: &Bezier| piece.0.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f64>();
+        let length = |piece: &Bezier| piece.points.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f64>();
         let shortest = pieces.iter().map(length).fold(f64::INFINITY, f64::min);
         let radius = (shortest / 8.0).clamp(2.2, 3.6);
         svg.open("pieces");
         for (index, piece) in pieces.iter().enumerate() {
             let colour = style::PIECES[index % 2];
-            svg.polyline(&piece.0, Stroke::solid(colour, 1.4));
+            svg.polyline(&piece.points, Stroke::solid(colour, 1.4));
             if depth <= MAX_MARKED {
-                obstacles.add(&piece.0, 0.5);
-                let inner = piece.0.iter().skip(1).take(self.segment.degree().saturating_sub(1));
+                obstacles.add(&piece.points, 0.5);
+                let inner = piece.points.iter().skip(1).take(self.segment.degree().saturating_sub(1));
                 for &point in inner.filter(|_| self.segment.degree() <= MAX_LABELLED_STEPS) {
                     svg.dot(point, radius * 0.7, colour, Stroke::solid("#ffffff", 0.4), "");
                 }
@@ -265,19 +278,21 @@ impl CurvePicture {
         }
         let (Some(t), Some(point)) = (&self.parameter, scene.point()) else { return Ok(marks) };
         let layers = scene.layers();
-        let scheme = if layers.is_empty() { None } else { Some(self.segment.scheme(t)?) };
+        let lifted = lifted(&self.segment, self.weights.as_deref())?;
+        let shown = |point: &[Rational]| shown(point, self.weights.is_some());
+        let scheme = if layers.is_empty() { None } else { Some(lifted.scheme(t)?) };
         for (step, layer) in layers.iter().enumerate().skip(1).take(degree.saturating_sub(1)) {
             for (index, (&at, value)) in layer.iter().zip(scheme.iter().flat_map(|scheme| scheme.layer(step))).enumerate() {
                 let arguments = [("r", degree - index - step), ("s", index), ("t", step)];
                 let name = if degree <= MAX_LABELLED_STEPS { polar_name(&arguments) } else { String::new() };
                 let outward = away(point, at, 1.0);
-                marks.push(Mark { at, rank: Rank::Step(step, degree), name, value: value.to_vec(), told: false, outward });
+                marks.push(Mark { at, rank: Rank::Step(step, degree), name, value: shown(value)?, told: false, outward });
             }
         }
         let outer = layers.iter().rev().nth(2).or(layers.first()).map_or(middle, |layer| mean(layer));
         let name = format!("F({})", short(t));
         let outward = away(outer, point, 1.0);
-        marks.push(Mark { at: point, rank: Rank::Point, name, value: self.segment.value(t)?, told: true, outward });
+        marks.push(Mark { at: point, rank: Rank::Point, name, value: shown(&lifted.value(t)?)?, told: true, outward });
         Ok(marks)
     }
 }

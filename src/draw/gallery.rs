@@ -192,7 +192,7 @@ fn draw_panel(svg: &mut Svg, panel: &Panel, rect: Rect) -> Result<(), Error> {
     let segment = panel.cubic.curve().segment(&frame)?;
     // Everything here is small, so floats place it well enough.
     let control: Vec<Point> = segment.points().map(|point| [point[0].approximate(), point[1].approximate()]).collect();
-    let curve = Bezier(control);
+    let curve = Bezier::new(control);
     let special = points(&panel.cubic, &frame);
     let seen = |point: &[Surd; 2]| [point[0].approximate(), point[1].approximate()];
     let mut all = curve.samples(96);
@@ -221,7 +221,7 @@ fn draw_panel(svg: &mut Svg, panel: &Panel, rect: Rect) -> Result<(), Error> {
             svg.line(from, to, Stroke::dashed(style::MEDIAN, 1.4, "7 3 1.5 3"));
         }
     }
-    svg.path(&Bezier(curve.0.iter().map(|&point| place(point)).collect()).path(), Stroke::solid(style::CURVE, 2.2));
+    svg.path(&Bezier::new(curve.points.iter().map(|&point| place(point)).collect()).path(), Stroke::solid(style::CURVE, 2.2));
     for (name, point) in &special {
         dot(svg, place(seen(point)), key(name), &format!("{name} ({}, {})", point[0], point[1]));
     }

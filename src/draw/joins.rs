@@ -199,7 +199,7 @@ impl Panel {
         for line in &self.lines {
             let points: Vec<Point> = line.points.iter().map(place).collect();
             let stroke = Stroke::solid(line.colour, line.width);
-            if line.bezier { svg.path(&Bezier(points).path(), stroke) } else { svg.polyline(&points, stroke) }
+            if line.bezier { svg.path(&Bezier::new(points).path(), stroke) } else { svg.polyline(&points, stroke) }
         }
         for dot in &self.dots {
             let at = place(&dot.at);

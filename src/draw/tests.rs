@@ -157,3 +157,19 @@ fn high_degrees_are_drawn_up_to_a_limit() {
     let too_high = CurvePicture::new(wave(201)).svg();
     assert_eq!(too_high, Err(Error::TooLarge { what: "degree of a picture", limit: 200 }));
 }
+
+#[test]
+fn rational_curves_show_their_weights_and_their_steps() {
+    let arc = |weights: [i64; 3]| {
+        let points = [[1, 0], [1, 1], [0, 1]].map(|point| point.map(Rational::from).to_vec()).to_vec();
+        let lifted = crate::homogeneous_points(&points, &weights.map(Rational::from)).expect("a weight each");
+        Segment::from_points(lifted, Interval::unit()).expect("three points")
+    };
+    let svg = checked(&CurvePicture::rational(&arc([1, 1, 2])).expect("positive weights").with_scheme(Rational::new(1, 2)));
+    for text in ["A rational quadratic over 0..1", "weights 1, 1, 2", "F(1/2) = (3/5, 4/5)"] {
+        assert!(svg.contains(text), "{text}");
+    }
+    let outside = checked(&CurvePicture::rational(&arc([-1, -1, -2])).expect("negative weights").with_scheme(2.into()));
+    assert!(outside.contains("F(2) = (-3/5, 4/5)"));
+    assert!(CurvePicture::rational(&arc([1, 0, 1])).is_err() && CurvePicture::rational(&arc([1, -1, 1])).is_err());
+}

@@ -13,11 +13,8 @@ pub(super) fn plot(arguments: &Arguments) -> Result<Answer, Error> {
     let view = arguments.numbers("view").ok().map(|angles| view(angles)).transpose()?;
     let wrong_count = |found: usize| Error::WrongCount { what: "parameters", expected: if found == 1 { 2 } else { 1 }, found };
     let svg = match piece {
-        Piece::Curve(_) if weighted => {
-            return Err(Error::Unsupported("curves with weights are not drawn yet; patches with weights are".into()));
-        }
         Piece::Curve(segment) => {
-            let mut picture = CurvePicture::new(segment);
+            let mut picture = if weighted { CurvePicture::rational(&segment)? } else { CurvePicture::new(segment) };
             match at {
                 Some([t]) => picture = picture.with_scheme(t.clone()),
                 Some(other) => return Err(wrong_count(other.len())),
