@@ -10,6 +10,7 @@ use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task;
 use crate::rectangular::{Axis, RectangularPatch, bidegree_label};
+use crate::scheme::remaining;
 
 /// The steps in one parameter on all lines of the net, then those in the other
 /// on the one line that is left: the two-step view (MA323, day 25, section 3).
@@ -100,8 +101,8 @@ impl<C: Coefficient> TwoSteps<C> {
     pub fn label(&self, l: usize, i: usize, j: usize) -> String {
         let (p, q) = self.nets[l].degree();
         match self.first {
-            Axis::U => bidegree_label(&[("r1", p - i), ("s1", i), ("u", l)], &[("r2", q - j), ("s2", j)]),
-            Axis::V => bidegree_label(&[("r1", p - i), ("s1", i)], &[("r2", q - j), ("s2", j), ("v", l)]),
+            Axis::U => bidegree_label(&[("r1", remaining(p, [i])), ("s1", i), ("u", l)], &[("r2", remaining(q, [j])), ("s2", j)]),
+            Axis::V => bidegree_label(&[("r1", remaining(p, [i])), ("s1", i)], &[("r2", remaining(q, [j])), ("s2", j), ("v", l)]),
         }
     }
 
@@ -113,8 +114,8 @@ impl<C: Coefficient> TwoSteps<C> {
     pub fn second_label(&self, l: usize, k: usize) -> String {
         let (p, q) = self.nets[0].degree();
         match self.first {
-            Axis::U => bidegree_label(&[("u", p)], &[("r2", q - l - k), ("s2", k), ("v", l)]),
-            Axis::V => bidegree_label(&[("r1", p - l - k), ("s1", k), ("u", l)], &[("v", q)]),
+            Axis::U => bidegree_label(&[("u", p)], &[("r2", remaining(q, [l, k])), ("s2", k), ("v", l)]),
+            Axis::V => bidegree_label(&[("r1", remaining(p, [l, k])), ("s1", k), ("u", l)], &[("v", q)]),
         }
     }
 }
@@ -210,6 +211,6 @@ impl<C: Coefficient> CommonSteps<C> {
     #[must_use]
     pub fn label(&self, l: usize, i: usize, j: usize) -> String {
         let ((p, q), (all_p, all_q)) = (self.nets[l].degree(), self.nets[0].degree());
-        bidegree_label(&[("r1", p - i), ("s1", i), ("u", all_p - p)], &[("r2", q - j), ("s2", j), ("v", all_q - q)])
+        bidegree_label(&[("r1", remaining(p, [i])), ("s1", i), ("u", all_p - p)], &[("r2", remaining(q, [j])), ("s2", j), ("v", all_q - q)])
     }
 }

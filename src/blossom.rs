@@ -88,8 +88,20 @@ impl<C: Coefficient> PolarForm<C> {
     /// If there is no such coordinate or no such coefficient.
     #[must_use]
     pub fn coefficient(&self, coordinate: usize, index: usize) -> &C {
-        assert!(coordinate < self.dimension, "the map has {} coordinates", self.dimension);
+        self.check_coordinate(coordinate);
         &self.coefficients[index * self.dimension + coordinate]
+    }
+
+    #[track_caller]
+    fn check_coordinate(&self, coordinate: usize) {
+        assert!(coordinate < self.dimension, "the map has {} coordinates", self.dimension);
+    }
+
+    /// The coefficients of a coordinate.
+    #[track_caller]
+    fn own(&self, coordinate: usize) -> impl Iterator<Item = &C> {
+        self.check_coordinate(coordinate);
+        self.coefficients[coordinate..].iter().step_by(self.dimension)
     }
 
     /// The polar value at as many arguments as the polar degree, of a curve's
@@ -142,18 +154,19 @@ impl<C: Coefficient> PolarForm<C> {
     }
 
     /// The number of terms that writing out a coordinate takes.
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
     #[must_use]
     pub fn term_count(&self, coordinate: usize) -> Rational {
         let counts = multinomials::<Rational>(&self.reading.shape(1));
-        let coefficients = self.coefficients[coordinate..].iter().step_by(self.dimension);
-        coefficients.zip(counts).filter(|(c, _)| !c.is_nothing()).map(|(_, count)| count).sum()
+        self.own(coordinate).zip(counts).filter(|(c, _)| !c.is_nothing()).map(|(_, count)| count).sum()
     }
 
     /// The coefficients of a coordinate that are not zero, with the exponents
     /// they stand at: for each group of arguments the weight's first.
     pub(crate) fn terms(&self, coordinate: usize) -> Vec<(Vec<usize>, &C)> {
-        let coefficients = self.coefficients[coordinate..].iter().step_by(self.dimension);
-        self.reading.exponents().into_iter().zip(coefficients).filter(|(_, c)| !c.is_nothing()).collect()
+        self.reading.exponents().into_iter().zip(self.own(coordinate)).filter(|(_, c)| !c.is_nothing()).collect()
     }
 
     /// One coordinate written out as a polynomial in the coordinates of the
@@ -161,8 +174,11 @@ impl<C: Coefficient> PolarForm<C> {
     ///
     /// # Errors
     /// [`Error::TooLarge`] if it has more than `limit` terms.
+    ///
+    /// # Panics
+    /// If there is no such coordinate.
     pub fn expand(&self, coordinate: usize, limit: usize) -> Result<Polynomial, Error> {
-        if self.term_count(coordinate) > Rational::from(limit as i64) {
+        if self.term_count(coordinate) > Rational::from(limit) {
             return Err(Error::TooLarge { what: "number of terms of the polar form", limit });
         }
         let mut terms = Vec::new();
@@ -247,7 +263,8 @@ pub enum PolarDefect {
 /// pair or argument that fails.
 ///
 /// # Errors
-/// [`Error::WrongCount`] if the claim has another number of coordinates than the map.
+/// [`Error::WrongCount`] if the claim has another number of coordinates than the map,
+/// or if there are more or fewer variables than the reading has.
 pub fn check_polar_form(
     reading: Reading,
     map: &[Polynomial],
@@ -256,6 +273,10 @@ pub fn check_polar_form(
 ) -> Result<Vec<PolarDefect>, Error> {
     if claim.len() != map.len() {
         return Err(Error::WrongCount { what: "coordinates", expected: map.len(), found: claim.len() });
+    }
+    let expected = reading.groups().iter().map(|group| group.1).sum();
+    if variables.len() != expected {
+        return Err(Error::WrongCount { what: "variables", expected, found: variables.len() });
     }
     let mut defects = Vec::new();
     for (coordinate, (claimed, map)) in claim.iter().zip(map).enumerate() {

@@ -8,6 +8,7 @@ use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::kernel::shape::Shape;
 use crate::reading::Reading;
+use crate::scheme::{polar_label, remaining};
 use crate::segment::Segment;
 use crate::surface::Surface;
 
@@ -83,7 +84,7 @@ pub struct RectangularReduction<C = Rational> {
 /// The label of a polar value of a rectangle, such as `f(r1,s1;r2,t2)`.
 #[must_use]
 pub fn bidegree_label(us: &[(&str, usize)], vs: &[(&str, usize)]) -> String {
-    let list = |arguments: &[(&str, usize)]| crate::scheme::polar_label(arguments)[2..].trim_end_matches(')').to_owned();
+    let list = |arguments: &[(&str, usize)]| polar_label(arguments)[2..].trim_end_matches(')').to_owned();
     format!("f({};{})", list(us), list(vs))
 }
 
@@ -173,7 +174,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     #[must_use]
     pub fn label(&self, i: usize, j: usize) -> String {
         let (p, q) = self.degree();
-        bidegree_label(&[("r1", p - i), ("s1", i)], &[("r2", q - j), ("s2", j)])
+        bidegree_label(&[("r1", remaining(p, [i])), ("s1", i)], &[("r2", remaining(q, [j])), ("s2", j)])
     }
 
     /// The control points, row by row.

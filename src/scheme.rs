@@ -65,16 +65,20 @@ impl<C: Coefficient> Scheme<C> {
     /// If `i + j` is larger than the polar degree.
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> &[C] {
-        assert!(i + j <= self.degree, "step {j} has {} points", self.degree + 1 - j.min(self.degree));
+        remaining(self.degree, [i, j]);
         let index = Factor { dimension: 2, degree: self.degree }.index(&[j, i]);
         &self.coordinates[index * self.dimension..(index + 1) * self.dimension]
     }
 
     /// The points of step `j`: for `1 ≤ j < m` the shell that the next step
     /// cuts the corners of.
+    ///
+    /// # Panics
+    /// If `j` is larger than the polar degree.
     pub fn layer(&self, j: usize) -> impl DoubleEndedIterator<Item = &[C]> + ExactSizeIterator {
+        let count = remaining(self.degree, [j]) + 1;
         let start = Factor { dimension: 2, degree: self.degree }.index(&[j, 0]) * self.dimension;
-        self.coordinates[start..start + (self.degree + 1 - j) * self.dimension].chunks_exact(self.dimension)
+        self.coordinates[start..start + count * self.dimension].chunks_exact(self.dimension)
     }
 
     /// The steps in order.
@@ -99,9 +103,12 @@ impl<C: Coefficient> Scheme<C> {
     }
 
     /// The polar label of `b_{i,j}`, such as `f(r,t,s)`: arguments in the order r, s, t.
+    ///
+    /// # Panics
+    /// If `i + j` is larger than the polar degree.
     #[must_use]
     pub fn label(&self, i: usize, j: usize) -> String {
-        polar_label(&[("r", self.degree - i - j), ("s", i), ("t", j)])
+        polar_label(&[("r", remaining(self.degree, [i, j])), ("s", i), ("t", j)])
     }
 }
 
@@ -112,6 +119,16 @@ impl Scheme {
     pub fn is_inside(&self) -> bool {
         self.frame.contains(&self.parameter)
     }
+}
+
+/// What some exponents leave of a degree.
+///
+/// # Panics
+/// If they add up to more.
+#[track_caller]
+pub(crate) fn remaining<const N: usize>(degree: usize, exponents: [usize; N]) -> usize {
+    let rest = exponents.iter().try_fold(degree, |rest, &exponent| rest.checked_sub(exponent));
+    rest.unwrap_or_else(|| panic!("the degree is {degree}: no point has the exponents {exponents:?}"))
 }
 
 /// The label of a polar value whose arguments are repeated letters.

@@ -10,7 +10,7 @@ use crate::kernel::integers::Integers;
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::Split;
-use crate::scheme::{Scheme, polar_label};
+use crate::scheme::{Scheme, polar_label, remaining};
 
 /// A polynomial curve over a frame `(r, s)`, given by its control points
 /// `b_i = f(r^{m-i} s^i)`.
@@ -117,7 +117,7 @@ impl<C: Coefficient> Segment<C> {
     /// If `index` is larger than the polar degree.
     #[must_use]
     pub fn label(&self, index: usize) -> String {
-        polar_label(&[("r", self.degree() - index), ("s", index)])
+        polar_label(&[("r", remaining(self.degree(), [index])), ("s", index)])
     }
 
     /// The control points in order.

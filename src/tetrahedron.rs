@@ -5,7 +5,7 @@ use crate::control::ControlNet;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
-use crate::scheme::polar_label;
+use crate::scheme::{polar_label, remaining};
 use crate::triangular::TriangularPatch;
 
 /// All polar values `b^l_ijk = f(a^l r^i s^j t^k)` of a triangular patch at one
@@ -68,7 +68,7 @@ impl<C: Coefficient> TriangularScheme<C> {
     /// If `l + i + j` is larger than the degree.
     #[must_use]
     pub fn get(&self, l: usize, i: usize, j: usize) -> &[C] {
-        assert!(l + i + j <= self.degree(), "layer {l} has no point ({i}, {j})");
+        remaining(self.degree(), [l, i, j]);
         self.net.point(self.net.shape.factors[0].index(&[l, i, j]))
     }
 
@@ -78,13 +78,16 @@ impl<C: Coefficient> TriangularScheme<C> {
     /// If `l + i + j` is larger than the degree.
     #[must_use]
     pub fn label(&self, l: usize, i: usize, j: usize) -> String {
-        polar_label(&[("a", l), ("r", i), ("s", j), ("t", self.degree() - l - i - j)])
+        polar_label(&[("a", l), ("r", i), ("s", j), ("t", remaining(self.degree(), [l, i, j]))])
     }
 
     /// The exponents `(i, j)` of the points of a layer, row by row.
+    ///
+    /// # Panics
+    /// If `l` is larger than the degree.
     #[must_use]
     pub fn indices(&self, l: usize) -> Vec<(usize, usize)> {
-        TriangularPatch::<C>::indices(self.degree() - l).into_iter().map(|[i, j, _]| (i, j)).collect()
+        TriangularPatch::<C>::indices(remaining(self.degree(), [l])).into_iter().map(|[i, j, _]| (i, j)).collect()
     }
 
     /// The point `F(a)`.

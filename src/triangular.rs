@@ -7,7 +7,7 @@ use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::kernel::shape::{Factor, Shape};
 use crate::reading::Reading;
-use crate::scheme::polar_label;
+use crate::scheme::{polar_label, remaining};
 use crate::segment::Segment;
 use crate::surface::Surface;
 use crate::tetrahedron::TriangularScheme;
@@ -151,7 +151,7 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// If `i + j` is larger than the degree.
     #[must_use]
     pub fn point(&self, i: usize, j: usize) -> &[C] {
-        assert!(i + j <= self.degree(), "a net of degree {} has no point ({i}, {j})", self.degree());
+        remaining(self.degree(), [i, j]);
         self.net.point(self.net.shape.factors[0].index(&[i, j]))
     }
 
@@ -161,7 +161,7 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// If `i + j` is larger than the degree.
     #[must_use]
     pub fn label(&self, i: usize, j: usize) -> String {
-        polar_label(&[("r", i), ("s", j), ("t", self.degree() - i - j)])
+        polar_label(&[("r", i), ("s", j), ("t", remaining(self.degree(), [i, j]))])
     }
 
     /// The exponents `(i, j, k)` of all control points, in the order of the rows.
@@ -296,6 +296,7 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// If `order` is not a permutation of 0, 1, 2.
     #[must_use]
     pub fn permuted(&self, order: [usize; 3]) -> Self {
+        assert!((0..3).all(|vertex| order.contains(&vertex)), "{order:?} is no order of the vertices 0, 1, 2");
         let mut coordinates = Vec::with_capacity(self.net.coordinates.len());
         for exponents in Self::indices(self.degree()) {
             let mut old = [usize::MAX; 3];

@@ -447,3 +447,41 @@ fn every_axiom_is_checked_by_itself() {
     );
     assert_eq!(defects("t1 t2 + 1"), [WrongDiagonal { coordinate: 0, difference: polynomial("1") }]);
 }
+
+/// Places that are not there are refused in words, in every build.
+#[test]
+fn places_outside_of_a_curve_panic_as_documented() {
+    let points = [0, 4, 8].map(|x| vec![Rational::from(x), Rational::from(1)]).to_vec();
+    let segment = Segment::from_points(points, Interval::unit()).expect("three points");
+    let scheme = segment.scheme(&Rational::new(1, 4)).expect("numbers");
+    let polar = segment.curve().expect("numbers").polar();
+    let no_point = "the degree is 2: no point has the exponents";
+    assert!(oracle::panic_message(|| segment.label(3)).starts_with(no_point));
+    assert!(oracle::panic_message(|| scheme.label(1, 2)).starts_with(no_point));
+    assert!(oracle::panic_message(|| scheme.get(usize::MAX, 1).to_vec()).starts_with(no_point));
+    assert!(oracle::panic_message(|| scheme.layer(3).len()).starts_with(no_point));
+    // There are six coefficients, but only two coordinates.
+    assert_eq!(oracle::panic_message(|| polar.term_count(2)), "the map has 2 coordinates");
+    assert_eq!(oracle::panic_message(|| polar.expand(5, 100)), "the map has 2 coordinates");
+}
+
+#[test]
+fn no_limit_refuses_no_polar_form() {
+    let curve = Curve::new(vec![[0, 3, 0, 1].map(Rational::from).to_vec()]).expect("a curve");
+    assert_eq!(curve.polar().expand(0, usize::MAX).map(|form| form.to_string()), Ok("t1 t2 t3 + t1 + t2 + t3".to_owned()));
+    assert!(curve.polar().expand(0, 3).is_err());
+}
+
+#[test]
+fn a_claim_needs_the_variables_of_its_reading() {
+    let [t, u, v] = ['t', 'u', 'v'].map(|letter| Symbol::new(letter, None));
+    let zero = [Polynomial::default()];
+    let check = |reading, variables: &[Symbol]| check_polar_form(reading, &zero, variables, &zero);
+    let wrong = |expected, found| Err(casteljau::Error::WrongCount { what: "variables", expected, found });
+    assert_eq!(check(Reading::Curve(2), &[]), wrong(1, 0));
+    assert_eq!(check(Reading::Curve(2), &[u, v]), wrong(1, 2));
+    assert_eq!(check(Reading::Total(2), &[u]), wrong(2, 1));
+    assert_eq!(check(Reading::Bidegree(1, 1), &[u]), wrong(2, 1));
+    assert_eq!(check(Reading::Curve(2), &[t]), Ok(Vec::new()));
+    assert_eq!(check(Reading::Bidegree(1, 0), &[u, v]), Ok(Vec::new()));
+}

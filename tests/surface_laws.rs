@@ -522,3 +522,35 @@ fn the_generators_reach_the_degenerate_cases() {
     }
     assert!(surfaces.iter().any(|(_, surface)| surface.true_bidegree() != bidegree(surface)));
 }
+
+/// Places that are not there are refused in words, in every build.
+#[test]
+fn places_outside_of_a_patch_panic_as_documented() {
+    let points = |count: i64| (0..count).map(|z| vec![Rational::from(z)]).collect::<Vec<_>>();
+    let triangle = TriangularPatch::from_points(points(6), Triangle::standard()).expect("six points");
+    let rectangle = RectangularPatch::from_points((1, 2), points(6), Rectangle::unit()).expect("six points");
+    let half = Rational::new(1, 2);
+    let scheme = triangle.scheme(&[half.clone(), half.clone()]).expect("numbers");
+    let [in_u, in_v] = [Axis::U, Axis::V].map(|axis| rectangle.two_steps(&half, &half, axis).expect("numbers"));
+    let common = rectangle.common_steps(&half, &half).expect("numbers");
+    let messages = [
+        oracle::panic_message(|| triangle.label(1, 2)),
+        oracle::panic_message(|| triangle.point(usize::MAX, 1).to_vec()),
+        oracle::panic_message(|| rectangle.label(2, 0)),
+        oracle::panic_message(|| rectangle.label(0, 3)),
+        oracle::panic_message(|| scheme.label(1, 1, 1)),
+        oracle::panic_message(|| scheme.get(usize::MAX, 1, 0).to_vec()),
+        oracle::panic_message(|| scheme.indices(3)),
+        oracle::panic_message(|| in_u.label(1, 1, 0)),
+        oracle::panic_message(|| in_u.second_label(2, 1)),
+        oracle::panic_message(|| in_v.second_label(1, 1)),
+        oracle::panic_message(|| common.label(1, 0, 2)),
+    ];
+    for (place, message) in messages.iter().enumerate() {
+        assert!(message.starts_with("the degree is ") && message.contains(": no point has the exponents"), "{place}: {message}");
+    }
+    for order in [[0, 0, 1], [2, 2, 2], [0, 1, 3]] {
+        assert!(oracle::panic_message(|| triangle.permuted(order)).ends_with("is no order of the vertices 0, 1, 2"));
+    }
+    assert_eq!(triangle.permuted([1, 2, 0]).permuted([2, 0, 1]), triangle);
+}

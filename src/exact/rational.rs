@@ -263,6 +263,21 @@ impl From<u32> for Rational {
     }
 }
 
+impl From<u64> for Rational {
+    #[inline]
+    fn from(value: u64) -> Self {
+        i64::try_from(value).map_or_else(|_| Self::from(BigInt::from(value)), Self::from)
+    }
+}
+
+impl From<usize> for Rational {
+    #[inline]
+    fn from(value: usize) -> Self {
+        // No machine has words of more than 64 bits.
+        Self::from(value as u64)
+    }
+}
+
 impl From<BigInt> for Rational {
     fn from(value: BigInt) -> Self {
         Self::from_reduced_big(value, BigInt::one())

@@ -121,7 +121,7 @@ impl Notation {
     /// Whether a coordinate of a polar form is written out.
     pub(super) fn writes_out<C: Coefficient>(&self, polar: &PolarForm<C>, coordinate: usize) -> bool {
         let limit = if self.expand { Self::MAX_EXPANDED_TERMS } else { Self::MAX_TERMS };
-        polar.term_count(coordinate) <= Rational::from(limit as i64)
+        polar.term_count(coordinate) <= Rational::from(limit)
     }
 
     /// Refuses to write out a polar form of too many terms, if that was asked for.

@@ -153,7 +153,7 @@ pub(super) fn encode<C: Coefficient>(value: &Value<C>, weighted: bool) -> Result
 /// coefficients; the factors stand in the order of the arguments.
 fn polar_map<C: Coefficient>(polar: &PolarForm<C>, coordinate: usize, weights: bool) -> Result<Json, Error> {
     let limit = Notation::MAX_EXPANDED_TERMS;
-    if polar.term_count(coordinate) > crate::exact::Rational::from(limit as i64) {
+    if polar.term_count(coordinate) > crate::exact::Rational::from(limit) {
         return Err(Error::TooLarge { what: "number of terms of the polar form", limit });
     }
     let reading = polar.reading();

@@ -149,3 +149,10 @@ pub(crate) fn rectangle_segment(surface: &Terms, (p, q): (usize, usize), a: &[Ra
         })
         .collect()
 }
+
+/// What a call that must panic says.
+pub(crate) fn panic_message<T>(call: impl FnOnce() -> T) -> String {
+    let Err(panic) = std::panic::catch_unwind(std::panic::AssertUnwindSafe(call)) else { return "no panic".into() };
+    let text = panic.downcast_ref::<&str>().map(ToString::to_string);
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
+}
