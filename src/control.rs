@@ -1,5 +1,7 @@
 //! Control nets over products of simplices: what segments and patches have in common.
 
+use std::borrow::Cow;
+
 use smallvec::SmallVec;
 
 use crate::affine::{AffineMap, Weights};
@@ -11,6 +13,12 @@ use crate::kernel::layout::Layout;
 use crate::kernel::reframe::Reframe;
 use crate::kernel::shape::{Factor, Shape};
 use crate::kernel::task::{Casteljau, ChangeDegree, ChangeFrame, Edge, Faces, Grid, PolarValue, Product};
+
+/// The most steps on one coordinate that a subdivision or an elevation may take.
+pub(crate) const MAX_STEPS: usize = 1 << 25;
+
+/// The most rounds of subdivision of a patch that are carried out at once.
+pub(crate) const MAX_PATCH_DEPTH: usize = 10;
 
 /// The control points of a map, point by point in the order of the shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,7 +167,7 @@ impl<C: Coefficient> ControlNet<C> {
         let mut arguments = vec![Weights::default(); self.shape.factors.len()];
         arguments[factor] = direction()?;
         let mut net = self.polar_value(&arguments);
-        let degree = C::from(Rational::from(degree as i64));
+        let degree = C::from(Rational::from(degree));
         net.coordinates.iter_mut().for_each(|coordinate| coordinate.multiply(&degree));
         Ok(net)
     }
@@ -206,11 +214,63 @@ impl<C: Coefficient> ControlNet<C> {
     /// net of degree `steps`.
     pub(crate) fn grid(&self, steps: usize) -> Self {
         let shape = Grid::target(&self.shape, steps);
-        let degree: usize = self.shape.factors.iter().map(|factor| factor.degree).sum();
-        let divisors = vec![steps as i64; degree];
+        let divisors = vec![steps as i64; self.total_degree()];
         let layout = Layout::constant(shape, IntegerSlice::Words(&divisors));
         let task = Grid { shape: self.shape, steps };
         Self { coordinates: C::compute(&task, &self.coordinates, IntegerSlice::NONE, &[layout]), shape }
+    }
+
+    /// The degrees of all factors together.
+    fn total_degree(&self) -> usize {
+        self.shape.factors.iter().map(|factor| factor.degree).sum()
+    }
+
+    /// Whether this many rounds of subdivision in the middle are within the
+    /// limits: at most so many rounds, and one step for each level of de
+    /// Casteljau's algorithm and each coordinate of a control point.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] if not.
+    pub(crate) fn check_subdivision(&self, depth: usize, most: usize) -> Result<(), Error> {
+        if depth > most {
+            return Err(Error::TooLarge { what: "depth of subdivision", limit: most });
+        }
+        // Every round doubles the pieces in each dimension of the parameters.
+        let dimension: usize = self.shape.factors.iter().map(|factor| factor.dimension).sum();
+        let pieces = (0..depth * dimension).fold(1usize, |pieces, _| pieces.saturating_mul(2));
+        let steps = self.coordinates.len().saturating_mul(pieces).saturating_mul(self.total_degree() + 1);
+        if steps > MAX_STEPS {
+            return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit: MAX_STEPS });
+        }
+        Ok(())
+    }
+
+    /// The same map with a degree this much higher in each factor.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] for more than [`MAX_STEPS`]: one for each degree and
+    /// each coordinate of a new control point, whose numbers are as long as the
+    /// degree is high before they are divided.
+    pub(crate) fn elevate(&self, by: &[usize]) -> Result<Self, Error> {
+        if by.iter().all(|&more| more == 0) {
+            return Ok(self.clone());
+        }
+        let (mut numbers, mut total) = (self.dimension(), 1usize);
+        for (factor, &more) in self.shape.factors.iter().zip(by) {
+            let degree = factor.degree.saturating_add(more);
+            total = total.saturating_add(degree);
+            // The binomial number of the entries, as far as it matters.
+            let entries = (1..=factor.dimension).fold(1, |count: usize, k| count.saturating_mul(degree.saturating_add(k)) / k);
+            numbers = numbers.saturating_mul(entries);
+        }
+        if numbers.saturating_mul(total) > MAX_STEPS {
+            return Err(Error::TooLarge { what: "elevation, counted in steps,", limit: MAX_STEPS });
+        }
+        let mut net = Cow::Borrowed(self);
+        for (factor, &more) in by.iter().enumerate().filter(|(_, more)| **more > 0) {
+            net = Cow::Owned(net.with_degree(factor, self.shape.factors[factor].degree + more));
+        }
+        Ok(net.into_owned())
     }
 
     /// The same map with another degree in a factor: a higher one, or for a

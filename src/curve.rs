@@ -13,7 +13,7 @@ use crate::kernel::integers::{IntegerSlice, Integers};
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::{SymmetricSum, Value};
-use crate::reading::Reading;
+use crate::reading::{MAX_COEFFICIENTS, Reading};
 use crate::segment::Segment;
 use crate::symbolic::{Polynomial, Symbol};
 
@@ -44,17 +44,22 @@ pub struct Curve<C = Rational> {
 }
 
 impl<C: Coefficient> Curve<C> {
+    /// The most coefficients that the equation of a curve may have, zeros included.
+    pub const MAX_COEFFICIENTS: usize = MAX_COEFFICIENTS;
+
     /// The curve whose coordinates have these coefficients, in ascending powers.
     /// The polar degree is one less than the longest list.
     ///
     /// # Errors
-    /// [`Error::WrongShape`] if there is no coordinate or every list is empty.
+    /// [`Error::WrongShape`] if there is no coordinate or every list is empty;
+    /// [`Error::TooLarge`] above [`Curve::MAX_COEFFICIENTS`].
     pub fn new(coordinates: Vec<Vec<C>>) -> Result<Self, Error> {
         let dimension = coordinates.len();
         let length = coordinates.iter().map(Vec::len).max().unwrap_or(0);
         if length == 0 {
             return Err(Error::WrongShape("a curve needs at least one coordinate with at least one coefficient".into()));
         }
+        Reading::Curve(length - 1).check_size(dimension)?;
         let mut coefficients = vec![C::nothing(); length * dimension];
         for (position, coordinate) in coordinates.into_iter().enumerate() {
             for (power, coefficient) in coordinate.into_iter().enumerate() {
@@ -121,12 +126,14 @@ impl<C: Coefficient> Curve<C> {
     /// The same map with another polar degree.
     ///
     /// # Errors
-    /// [`Error::DegreeTooLow`] if a coordinate has a higher degree.
+    /// [`Error::DegreeTooLow`] if a coordinate has a higher degree;
+    /// [`Error::TooLarge`] above [`Curve::MAX_COEFFICIENTS`].
     pub fn with_degree(mut self, degree: usize) -> Result<Self, Error> {
         let needed = self.true_degree();
         if degree < needed {
             return Err(Error::DegreeTooLow { asked: degree, needed });
         }
+        Reading::Curve(degree).check_size(self.dimension)?;
         self.coefficients.resize((degree + 1) * self.dimension, C::nothing());
         self.degree = degree;
         Ok(self)

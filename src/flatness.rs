@@ -45,7 +45,7 @@ impl Segment {
     ///
     /// # Errors
     /// [`Error::WrongShape`] unless the tolerance is positive;
-    /// [`Error::TooLarge`] if more than 20 rounds would be needed.
+    /// [`Error::TooLarge`] if more rounds than [`Segment::MAX_DEPTH`] would be needed.
     pub fn flatten(&self, tolerance: &Rational) -> Result<Flattening, Error> {
         if !tolerance.is_positive() {
             return Err(Error::WrongShape(format!("a flatness bound must be positive, found {tolerance}")));

@@ -213,7 +213,7 @@ pub fn affine_groups(first: &Piece, second: &Piece, joint: &Joint) -> Result<([R
     let degree = a.degree().max(b.degree());
     let over = |patch: &TriangularPatch, inner: &[Rational; 2]| -> Result<TriangularPatch, Error> {
         let frame = Triangle::new(inner.clone(), s.clone(), t.clone())?;
-        patch.elevate(degree - patch.degree()).reframe(&frame)
+        patch.elevate(degree - patch.degree())?.reframe(&frame)
     };
     let (a, b) = (over(a, &p)?, over(b, &q)?);
     let weights = a.frame().barycentric(&q)?;
@@ -268,21 +268,22 @@ fn continued(piece: &Piece, frame: &Frame<Rational>) -> Result<Piece, Error> {
 /// Both maps over the frame of the second piece, the lower degrees raised, so
 /// that control points stand for control points.
 pub(crate) fn over_one_frame(first: &Piece, second: &Piece) -> Result<[Piece; 2], Error> {
-    Ok(match (continued(first, &second.frame())?, second) {
+    let [first, second] = match (continued(first, &second.frame())?, second) {
         (Piece::Curve(a), Piece::Curve(b)) => {
             let degree = a.degree().max(b.degree());
-            [&a, b].map(|segment| Piece::Curve(segment.elevate(degree - segment.degree())))
+            [&a, b].map(|segment| segment.elevate(degree - segment.degree()).map(Piece::Curve))
         }
         (Piece::Triangle(a), Piece::Triangle(b)) => {
             let degree = a.degree().max(b.degree());
-            [&a, b].map(|patch| Piece::Triangle(patch.elevate(degree - patch.degree())))
+            [&a, b].map(|patch| patch.elevate(degree - patch.degree()).map(Piece::Triangle))
         }
         (Piece::Rectangle(a), Piece::Rectangle(b)) => {
             let (p, q) = (a.degree().0.max(b.degree().0), a.degree().1.max(b.degree().1));
-            [&a, b].map(|patch| Piece::Rectangle(patch.elevate(p - patch.degree().0, q - patch.degree().1)))
+            [&a, b].map(|patch| patch.elevate(p - patch.degree().0, q - patch.degree().1).map(Piece::Rectangle))
         }
         _ => return Err(unfit()),
-    })
+    };
+    Ok([first?, second?])
 }
 
 /// For every control point of a piece, how many of its arguments are off a

@@ -1,5 +1,6 @@
 //! The ways in which a polynomial is polarized.
 
+use crate::error::Error;
 use crate::kernel::shape::{Factors, Shape};
 use crate::symbolic::{Monomial, Symbol};
 
@@ -23,7 +24,27 @@ pub enum Reading {
 /// Coordinate 0 is the weight of a homogeneous argument.
 pub type PolarTerm = Vec<(usize, usize, usize)>;
 
+/// The most coefficients that an equation may have, zeros included.
+pub(crate) const MAX_COEFFICIENTS: usize = 1 << 22;
+
 impl Reading {
+    /// Whether a map of so many coordinates, read in this way, has no more
+    /// coefficients than an equation may have.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`MAX_COEFFICIENTS`].
+    pub(crate) fn check_size(self, dimension: usize) -> Result<(), Error> {
+        let (what, count) = match self {
+            Self::Curve(m) => ("curve, counted in coefficients,", m.saturating_add(1)),
+            Self::Total(m) => ("surface, counted in coefficients,", m.saturating_add(1).saturating_mul(m.saturating_add(2)) / 2),
+            Self::Bidegree(p, q) => ("surface, counted in coefficients,", p.saturating_add(1).saturating_mul(q.saturating_add(1))),
+        };
+        if count.saturating_mul(dimension) > MAX_COEFFICIENTS {
+            return Err(Error::TooLarge { what, limit: MAX_COEFFICIENTS });
+        }
+        Ok(())
+    }
+
     pub(crate) fn shape(self, stride: usize) -> Shape {
         match self {
             Self::Curve(degree) => Shape::curve(degree, stride),

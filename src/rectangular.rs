@@ -2,7 +2,7 @@
 
 use crate::affine::{AffineMap, Interval, Parameter, Rectangle, Weights};
 use crate::bilinear::{CommonSteps, TwoSteps};
-use crate::control::ControlNet;
+use crate::control::{ControlNet, MAX_PATCH_DEPTH, MAX_STEPS};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -89,6 +89,11 @@ pub fn bidegree_label(us: &[(&str, usize)], vs: &[(&str, usize)]) -> String {
 }
 
 impl<C: Coefficient> RectangularPatch<C> {
+    /// The most rounds of subdivision that are carried out at once.
+    pub const MAX_DEPTH: usize = MAX_PATCH_DEPTH;
+    /// The most steps, each on one coordinate, of a subdivision or an elevation.
+    pub const MAX_STEPS: usize = MAX_STEPS;
+
     /// The patch with these rows of control points, `i = 0, …, p`.
     ///
     /// # Errors
@@ -115,7 +120,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// [`Error::WrongCount`] unless there are `(p+1)(q+1)` points;
     /// [`Error::WrongShape`] if they are not all of one dimension.
     pub fn from_points((p, q): (usize, usize), points: Vec<Vec<C>>, frame: Rectangle<C>) -> Result<Self, Error> {
-        let expected = (p + 1).saturating_mul(q + 1);
+        let expected = p.saturating_add(1).saturating_mul(q.saturating_add(1));
         if points.len() != expected {
             return Err(Error::WrongCount { what: "control points", expected, found: points.len() });
         }
@@ -298,17 +303,11 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// `4^depth`, row by row.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] above the limits of triangular patches;
-    /// [`Error::Unsupported`] if the length of a frame is symbolic.
+    /// [`Error::TooLarge`] above [`RectangularPatch::MAX_DEPTH`] or
+    /// [`RectangularPatch::MAX_STEPS`]; [`Error::Unsupported`] if the length of
+    /// a frame is symbolic.
     pub fn subdivide(&self, depth: usize) -> Result<Vec<Self>, Error> {
-        let most = crate::triangular::TriangularPatch::<C>::MAX_DEPTH;
-        if depth > most {
-            return Err(Error::TooLarge { what: "depth of subdivision", limit: most });
-        }
-        let (limit, (p, q)) = (Segment::<C>::MAX_SUBDIVISION, self.degree());
-        if (self.net.coordinates.len() << (2 * depth)).saturating_mul(p + q + 1) > limit {
-            return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit });
-        }
+        self.net.check_subdivision(depth, Self::MAX_DEPTH)?;
         let half = C::from(Rational::new(1, 2));
         let strips = |pieces: Vec<Self>, axis| {
             let mut pieces = pieces;
@@ -359,10 +358,11 @@ impl<C: Coefficient> RectangularPatch<C> {
     }
 
     /// The same map with the degrees this much higher.
-    #[must_use]
-    pub fn elevate(&self, in_u: usize, in_v: usize) -> Self {
-        let (p, q) = self.degree();
-        Self { net: self.net.with_degree(0, p + in_u).with_degree(1, q + in_v), frame: self.frame.clone() }
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`RectangularPatch::MAX_STEPS`].
+    pub fn elevate(&self, in_u: usize, in_v: usize) -> Result<Self, Error> {
+        Ok(Self { net: self.net.elevate(&[in_u, in_v])?, frame: self.frame.clone() })
     }
 
     /// The same map with as few control points as it can have.

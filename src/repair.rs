@@ -197,7 +197,7 @@ fn bernstein(points: Vec<Vec<Rational>>) -> Result<Segment, Error> {
 /// The same curve with so many degrees; none if it has none so low.
 fn with_degree(segment: Segment, degree: usize) -> Result<Option<Segment>, Error> {
     let segment = if segment.degree() > degree { segment.reduce()?.segment } else { segment };
-    Ok(degree.checked_sub(segment.degree()).map(|by| segment.elevate(by)))
+    degree.checked_sub(segment.degree()).map(|by| segment.elevate(by)).transpose()
 }
 
 fn difference(a: &[Rational], b: &[Rational]) -> Vec<Rational> {

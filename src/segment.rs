@@ -1,7 +1,7 @@
 //! Segments of polynomial curves, given by control points over a frame.
 
 use crate::affine::{AffineMap, Interval, Parameter};
-use crate::control::ControlNet;
+use crate::control::{ControlNet, MAX_STEPS};
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
@@ -50,8 +50,8 @@ pub struct Reduction<C = Rational> {
 impl<C: Coefficient> Segment<C> {
     /// The most rounds of splitting in the middle that are carried out at once.
     pub const MAX_DEPTH: usize = 20;
-    /// The most steps of de Casteljau's algorithm, each on one coordinate, in one subdivision.
-    pub const MAX_SUBDIVISION: usize = 1 << 25;
+    /// The most steps, each on one coordinate, of a subdivision or an elevation.
+    pub const MAX_STEPS: usize = MAX_STEPS;
 
     /// The segment whose control points have these coordinates, point by point.
     ///
@@ -232,16 +232,10 @@ impl<C: Coefficient> Segment<C> {
     ///
     /// # Errors
     /// [`Error::TooLarge`] above [`Segment::MAX_DEPTH`] or
-    /// [`Segment::MAX_SUBDIVISION`]; [`Error::Unsupported`] if the length of the
+    /// [`Segment::MAX_STEPS`]; [`Error::Unsupported`] if the length of the
     /// frame is symbolic.
     pub fn subdivide(&self, depth: usize) -> Result<Vec<Self>, Error> {
-        if depth > Self::MAX_DEPTH {
-            return Err(Error::TooLarge { what: "depth of subdivision", limit: Self::MAX_DEPTH });
-        }
-        let steps = (self.coordinates().len() << depth).saturating_mul(self.degree() + 1);
-        if steps > Self::MAX_SUBDIVISION {
-            return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit: Self::MAX_SUBDIVISION });
-        }
+        self.net.check_subdivision(depth, Self::MAX_DEPTH)?;
         let half = C::from(Rational::new(1, 2));
         let mut pieces = vec![self.clone()];
         for _ in 0..depth {
@@ -267,9 +261,11 @@ impl<C: Coefficient> Segment<C> {
 
     /// The same map with `by` more control points (Gallier, section 18.1, the
     /// remark on polar degrees; Farin, *Curves and Surfaces for CAGD*, degree elevation).
-    #[must_use]
-    pub fn elevate(&self, by: usize) -> Self {
-        Self { net: self.net.with_degree(0, self.degree() + by), frame: self.frame.clone() }
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`Segment::MAX_STEPS`].
+    pub fn elevate(&self, by: usize) -> Result<Self, Error> {
+        Ok(Self { net: self.net.elevate(&[by])?, frame: self.frame.clone() })
     }
 
     /// The same map with as few control points as it can have.

@@ -1,14 +1,13 @@
 //! Triangular patches of polynomial surfaces, given by control points.
 
 use crate::affine::{AffineMap, PlaneParameter, Triangle, Weights};
-use crate::control::ControlNet;
+use crate::control::{ControlNet, MAX_PATCH_DEPTH, MAX_STEPS};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 use crate::kernel::shape::{Factor, Shape};
 use crate::reading::Reading;
 use crate::scheme::{polar_label, remaining};
-use crate::segment::Segment;
 use crate::surface::Surface;
 use crate::tetrahedron::TriangularScheme;
 
@@ -78,13 +77,16 @@ pub struct TriangularReduction<C = Rational> {
 #[must_use]
 pub fn triangular_degree(points: usize) -> Option<usize> {
     // (m+1)(m+2)/2 = n, so m+1 is the whole root of 2n below its own successor.
-    let root = (2 * points).isqrt();
-    (root > 0 && root * (root + 1) == 2 * points).then(|| root - 1)
+    let twice = points.checked_mul(2)?;
+    let root = twice.isqrt();
+    (root > 0 && root * (root + 1) == twice).then(|| root - 1)
 }
 
 impl<C: Coefficient> TriangularPatch<C> {
     /// The most rounds of subdivision that are carried out at once.
-    pub const MAX_DEPTH: usize = 10;
+    pub const MAX_DEPTH: usize = MAX_PATCH_DEPTH;
+    /// The most steps, each on one coordinate, of a subdivision or an elevation.
+    pub const MAX_STEPS: usize = MAX_STEPS;
 
     /// The patch with these control points, in the order of the rows.
     ///
@@ -318,16 +320,10 @@ impl<C: Coefficient> TriangularPatch<C> {
     ///
     /// # Errors
     /// [`Error::TooLarge`] above [`TriangularPatch::MAX_DEPTH`] or
-    /// [`Segment::MAX_SUBDIVISION`] steps; [`Error::Unsupported`] if the area of
+    /// [`TriangularPatch::MAX_STEPS`]; [`Error::Unsupported`] if the area of
     /// the frame is symbolic.
     pub fn subdivide(&self, depth: usize) -> Result<Vec<Self>, Error> {
-        if depth > Self::MAX_DEPTH {
-            return Err(Error::TooLarge { what: "depth of subdivision", limit: Self::MAX_DEPTH });
-        }
-        let limit = Segment::<C>::MAX_SUBDIVISION;
-        if (self.net.coordinates.len() << (2 * depth)).saturating_mul(self.degree() + 1) > limit {
-            return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit });
-        }
+        self.net.check_subdivision(depth, Self::MAX_DEPTH)?;
         let mut pieces = vec![self.clone()];
         for _ in 0..depth {
             let mut parts = Vec::with_capacity(4 * pieces.len());
@@ -341,9 +337,11 @@ impl<C: Coefficient> TriangularPatch<C> {
     }
 
     /// The same map with the degree `by` higher.
-    #[must_use]
-    pub fn elevate(&self, by: usize) -> Self {
-        Self { net: self.net.with_degree(0, self.degree() + by), frame: self.frame.clone() }
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] above [`TriangularPatch::MAX_STEPS`].
+    pub fn elevate(&self, by: usize) -> Result<Self, Error> {
+        Ok(Self { net: self.net.elevate(&[by])?, frame: self.frame.clone() })
     }
 
     /// The same map with as few control points as it can have.
@@ -402,5 +400,6 @@ mod tests {
         let expected = [None, Some(0), None, Some(1), None, None, Some(2), None, None, None, Some(3), None];
         assert_eq!(degrees, expected);
         assert_eq!(triangular_degree(4097 * 4098 / 2), Some(4096));
+        assert_eq!(triangular_degree(usize::MAX), None);
     }
 }

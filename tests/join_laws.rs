@@ -130,7 +130,7 @@ proptest! {
         let mut changed = terms.clone();
         changed.extend(linear_power(&[a, b, c], order).into_iter().map(|(h, k, x)| (h, k, x * &factor)));
         let over = |terms: &[Term], frame: Triangle| Surface::new(Reading::Total(3), vec![terms.to_vec()]).and_then(|surface| surface.over_triangle(&frame)).expect("a patch");
-        let (first, second) = (Piece::Triangle(over(&terms, own.clone()).elevate(raised)), Piece::Triangle(over(&changed, other)));
+        let (first, second) = (Piece::Triangle(over(&terms, own.clone()).elevate(raised).expect("small")), Piece::Triangle(over(&changed, other)));
         let (weights, groups) = affine_groups(&first, &second, &Joint::Edge([s.clone(), t.clone()])).expect("two triangles");
         prop_assert_eq!(groups.len(), 3 + raised);
         prop_assert_eq!(weights.iter().sum::<Rational>(), Rational::from(1));

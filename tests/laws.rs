@@ -190,7 +190,7 @@ proptest! {
 
     #[test]
     fn elevating_and_reducing(segment in segment(6), by in 0usize..5) {
-        let elevated = segment.elevate(by);
+        let elevated = segment.elevate(by).expect("small");
         prop_assert_eq!(elevated.degree(), segment.degree() + by);
         prop_assert!(elevated.same_map(&segment).expect("numbers"));
         // One step at a time by the textbook's rule.
@@ -484,4 +484,34 @@ fn a_claim_needs_the_variables_of_its_reading() {
     assert_eq!(check(Reading::Bidegree(1, 1), &[u]), wrong(2, 1));
     assert_eq!(check(Reading::Curve(2), &[t]), Ok(Vec::new()));
     assert_eq!(check(Reading::Bidegree(1, 0), &[u, v]), Ok(Vec::new()));
+}
+
+/// What would not fit into memory is refused before it is made.
+#[test]
+fn degrees_of_curves_have_limits() {
+    use casteljau::Error::TooLarge;
+    let line = Curve::new(vec![[0, 1].map(Rational::from).to_vec(), vec![Rational::from(1)]]).expect("a curve");
+    for degree in [usize::MAX, usize::MAX / 2, Curve::<Rational>::MAX_COEFFICIENTS / 2] {
+        assert!(matches!(line.clone().with_degree(degree), Err(TooLarge { limit: Curve::<Rational>::MAX_COEFFICIENTS, .. })), "{degree}");
+    }
+    let highest = Curve::<Rational>::MAX_COEFFICIENTS / 2 - 1;
+    assert_eq!(line.clone().with_degree(highest).map(|curve| (curve.degree(), curve.true_degree())), Ok((highest, 1)));
+    // One long list makes all the others as long.
+    let sparse = std::iter::once(vec![Rational::from(1); 1 << 12]).chain(std::iter::repeat_n(Vec::new(), 1 << 12)).collect();
+    assert!(matches!(Curve::new(sparse), Err(TooLarge { .. })));
+    let segment = line.segment(&Interval::unit()).expect("numbers");
+    for by in [usize::MAX, usize::MAX / 2, 1 << 22, 1 << 13] {
+        assert!(matches!(segment.elevate(by), Err(TooLarge { limit: Segment::<Rational>::MAX_STEPS, .. })), "{by}");
+    }
+    assert_eq!(segment.elevate(1 << 8).map(|raised| raised.degree()), Ok(257));
+}
+
+#[test]
+fn subdivisions_of_curves_have_limits() {
+    use casteljau::Error::TooLarge;
+    let point = |count: usize| Segment::new(1, vec![Rational::from(1); count], Interval::unit()).expect("points");
+    let (most, limit) = (Segment::<Rational>::MAX_DEPTH, Segment::<Rational>::MAX_STEPS);
+    assert_eq!(point(1).subdivide(most + 1), Err(TooLarge { what: "depth of subdivision", limit: most }));
+    assert_eq!(point(6).subdivide(most), Err(TooLarge { what: "subdivision, counted in steps,", limit }));
+    assert_eq!(point(6).subdivide(4).map(|pieces| pieces.len()), Ok(16));
 }

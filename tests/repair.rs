@@ -179,7 +179,7 @@ fn shears_of_triangles_are_allowed_for() {
     for (first, own, second, other) in [
         (triangle(at(0, -1)), Side::St, above.clone(), Side::St),
         (above, Side::St, below.clone(), Side::V0),
-        (below, Side::V0, Piece::Triangle(raised.elevate(1)), Side::St),
+        (below, Side::V0, Piece::Triangle(raised.elevate(1).expect("small")), Side::St),
     ] {
         let repair = repair_tangents((&first, own), (&second, other), false).expect("it is good");
         assert!(repair.moved.is_empty() && repair.piece == second);

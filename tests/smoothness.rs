@@ -90,7 +90,7 @@ proptest! {
             Curve::new(lists.to_vec()).and_then(|curve| curve.segment(&Interval::new(a.clone(), b.clone())?)).expect("a segment")
         };
         let first = Piece::Curve(over(&lists, [&r, &s], turned[0]));
-        let second = Piece::Curve(over(&changed, [&s, &q], turned[1]).elevate(raised));
+        let second = Piece::Curve(over(&changed, [&s, &q], turned[1]).elevate(raised).expect("small"));
         check(&first, &second, &Joint::Parameter(s), asked)?;
     }
 
@@ -112,7 +112,7 @@ proptest! {
         };
         let (a, b) = (surface(&terms), surface(&changed));
         let first = Piece::Triangle(a.over_triangle(&own).expect("a patch"));
-        let second = Piece::Triangle(b.over_triangle(&other).expect("a patch").elevate(raised));
+        let second = Piece::Triangle(b.over_triangle(&other).expect("a patch").elevate(raised).expect("small"));
         check(&first, &second, &Joint::Edge(joint), asked)?;
 
         // Rectangles along a line of one parameter, and a rectangle with a triangle.
@@ -128,7 +128,7 @@ proptest! {
         let first = a.over_rectangle(&Rectangle::new(across(&p[0], orders[0] < 3), along(orders[0] % 2 == 0))).expect("a patch");
         let second = b.over_rectangle(&Rectangle::new(across(&q[0], orders[1] < 3), along(orders[1] % 2 == 0))).expect("a patch");
         let joint = Joint::Edge(joint);
-        check(&Piece::Rectangle(first.clone()), &Piece::Rectangle(second.elevate(raised, 0)), &joint, asked)?;
+        check(&Piece::Rectangle(first.clone()), &Piece::Rectangle(second.elevate(raised, 0).expect("small")), &joint, asked)?;
         let Joint::Edge([from, to]) = &joint else { unreachable!() };
         let beyond = Triangle::new(from.clone(), [q[0].clone(), q[1].clone()], to.clone()).expect("a frame");
         check(&Piece::Rectangle(first), &Piece::Triangle(b.over_triangle(&beyond).expect("a patch")), &joint, asked)?;

@@ -80,6 +80,8 @@ fn usage_errors_have_status_2_and_help_has_0() {
         assert_eq!(output.status.code(), Some(0), "{arguments:?}");
         assert!(!output.stdout.is_empty(), "{arguments:?}");
     }
+    let help = String::from_utf8(run(&["--help"], b"").stdout).expect("text");
+    assert!(help.contains("depth of subdivision 20 for curves and 10 for patches"), "{help}");
 }
 
 #[cfg(unix)]

@@ -310,12 +310,12 @@ proptest! {
 
     #[test]
     fn degrees_rise_and_fall(patch in triangular_patch(3), rectangle in rectangular_patch(3), by in 0usize..3) {
-        let raised = patch.elevate(by);
+        let raised = patch.elevate(by).expect("small");
         prop_assert!(raised.surface().expect("numbers").same_map(&patch.surface().expect("numbers")));
         let reduced = raised.reduce().expect("numbers");
         prop_assert_eq!(reduced.true_degree, patch.surface().expect("numbers").true_total_degree());
-        prop_assert_eq!(&reduced.patch.elevate(raised.degree() - reduced.true_degree), &raised);
-        let raised = rectangle.elevate(by, 2 - by);
+        prop_assert_eq!(&reduced.patch.elevate(raised.degree() - reduced.true_degree).expect("small"), &raised);
+        let raised = rectangle.elevate(by, 2 - by).expect("small");
         prop_assert!(raised.surface().expect("numbers").same_map(&rectangle.surface().expect("numbers")));
         let reduced = raised.reduce().expect("numbers");
         prop_assert_eq!(reduced.true_degree, rectangle.surface().expect("numbers").true_bidegree());
@@ -553,4 +553,49 @@ fn places_outside_of_a_patch_panic_as_documented() {
         assert!(oracle::panic_message(|| triangle.permuted(order)).ends_with("is no order of the vertices 0, 1, 2"));
     }
     assert_eq!(triangle.permuted([1, 2, 0]).permuted([2, 0, 1]), triangle);
+}
+
+/// What would not fit into memory is refused before it is made.
+#[test]
+fn degrees_of_surfaces_have_limits() {
+    use casteljau::Error::{TooLarge, WrongCount};
+    let one = Rational::from(1);
+    let limit = Surface::<Rational>::MAX_COEFFICIENTS;
+    let too_large = Err(TooLarge { what: "surface, counted in coefficients,", limit });
+    for (h, k) in [(usize::MAX, 1), (usize::MAX, usize::MAX), (usize::MAX / 2, usize::MAX / 2), (limit, 0)] {
+        assert_eq!(Surface::total(vec![vec![(h, k, one.clone())]]), too_large, "{h} {k}");
+        assert_eq!(Surface::tensor(vec![vec![(h, k, one.clone())]]), too_large, "{h} {k}");
+    }
+    for reading in [Reading::Total(usize::MAX), Reading::Bidegree(usize::MAX, 0), Reading::Bidegree(0, usize::MAX)] {
+        assert_eq!(Surface::new(reading, vec![vec![(0, 0, one.clone())]]), too_large, "{reading:?}");
+    }
+    let from_points = |degrees| RectangularPatch::from_points(degrees, vec![vec![one.clone()]], Rectangle::unit());
+    assert_eq!(from_points((usize::MAX, 0)), Err(WrongCount { what: "control points", expected: usize::MAX, found: 1 }));
+    let rectangle = from_points((0, 0)).expect("one point");
+    let triangle = TriangularPatch::from_points(vec![vec![one.clone()]], Triangle::standard()).expect("one point");
+    for by in [usize::MAX, usize::MAX / 2, 1 << 22, 1 << 13] {
+        let too_large = TooLarge { what: "elevation, counted in steps,", limit: TriangularPatch::<Rational>::MAX_STEPS };
+        assert_eq!(triangle.elevate(by), Err(too_large.clone()));
+        assert_eq!(rectangle.elevate(by, 0), Err(too_large.clone()));
+        assert_eq!(rectangle.elevate(1, by), Err(too_large));
+    }
+    assert_eq!(triangle.elevate(20).map(|raised| raised.points().len()), Ok(21 * 22 / 2));
+}
+
+#[test]
+fn subdivisions_of_surfaces_have_limits() {
+    use casteljau::Error::TooLarge;
+    let points = |count: usize| vec![vec![Rational::from(1)]; count];
+    let triangle = |count| TriangularPatch::from_points(points(count), Triangle::standard()).expect("a net");
+    let rectangle = |p, q| RectangularPatch::from_points((p, q), points((p + 1) * (q + 1)), Rectangle::unit()).expect("a net");
+    let (most, limit) = (RectangularPatch::<Rational>::MAX_DEPTH, RectangularPatch::<Rational>::MAX_STEPS);
+    let (deep, long) =
+        (TooLarge { what: "depth of subdivision", limit: most }, TooLarge { what: "subdivision, counted in steps,", limit });
+    assert_eq!(most, TriangularPatch::<Rational>::MAX_DEPTH);
+    assert_eq!(triangle(1).subdivide(most + 1), Err(deep.clone()));
+    assert_eq!(rectangle(0, 0).subdivide(most + 1), Err(deep));
+    // 4^10 pieces of so many points, each by as many levels as it has degrees and one.
+    assert_eq!(triangle(15).subdivide(most), Err(long.clone()));
+    assert_eq!(rectangle(3, 2).subdivide(most), Err(long));
+    assert_eq!(rectangle(3, 2).subdivide(2).map(|pieces| pieces.len()), Ok(16));
 }

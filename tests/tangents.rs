@@ -152,11 +152,11 @@ proptest! {
                 let [a, b, c] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]][order];
                 let frame = Triangle::new(all[a].clone(), all[b].clone(), all[c].clone()).expect("a frame");
                 let side = [Side::St, Side::Tr, Side::Rs][[a, b, c].iter().position(|&k| k == 0).expect("one of them")];
-                (Piece::Triangle(surface.over_triangle(&frame).expect("a patch").elevate(raised)), side)
+                (Piece::Triangle(surface.over_triangle(&frame).expect("a patch").elevate(raised).expect("small")), side)
             } else {
                 let along = if order.is_multiple_of(2) { interval(0, 1) } else { interval(1, 0) };
                 let (across, side) = if order < 3 { (interval(0, inner), Side::V0) } else { (interval(inner, 0), Side::V1) };
-                (Piece::Rectangle(surface.over_rectangle(&Rectangle::new(along, across)).expect("a patch").elevate(raised, raised)), side)
+                (Piece::Rectangle(surface.over_rectangle(&Rectangle::new(along, across)).expect("a patch").elevate(raised, raised).expect("small")), side)
             }
         };
         let (first, own) = piece(&total, kinds[0], orders[0], raised[0], -1);

@@ -288,7 +288,7 @@ fn is_boundary_near(parts: &[Part], first: Place, second: Place, reversed: bool,
             return Some(points);
         }
         let by = degree + 1 - points.len();
-        let segment = Segment::from_points(points, Interval::unit()).ok()?.elevate(by);
+        let segment = Segment::from_points(points, Interval::unit()).ok()?.elevate(by).ok()?;
         Some(segment.points().map(<[Rational]>::to_vec).collect())
     };
     let degree = a.len().max(b.len()) - 1;

@@ -2,6 +2,7 @@
 
 use clap::{Arg, ArgAction, Command, value_parser};
 
+use crate::control::MAX_PATCH_DEPTH;
 use crate::exact::MAX_DIGITS;
 use crate::ops::limits::{MAX_NUMBERS, MAX_STEPS};
 use crate::ops::{Kind, Operation, Parameter, about, operations};
@@ -37,8 +38,9 @@ pub(super) fn parameters(verb: &str) -> Vec<&'static Parameter> {
 pub(super) fn program() -> Command {
     let limits = format!(
         "Limits: {MAX_INPUT_BYTES} bytes of input, {MAX_DIGITS} digits a number, degree {MAX_DEGREE}, {MAX_TERMS} terms,\n\
-         nesting {MAX_NESTING}, depth of subdivision {}; {MAX_NUMBERS} numbers an answer, and {MAX_STEPS} steps on\n\
-         machine words as estimated before the work. Exit status: 0 done, 1 the answer is no, 2 the input cannot be used.",
+         nesting {MAX_NESTING}, depth of subdivision {} for curves and {MAX_PATCH_DEPTH} for patches; {MAX_NUMBERS} numbers\n\
+         an answer, and {MAX_STEPS} steps on machine words as estimated before the work.\n\
+         Exit status: 0 done, 1 the answer is no, 2 the input cannot be used.",
         Segment::<crate::exact::Rational>::MAX_DEPTH
     );
     let mut program = Command::new("casteljau")

@@ -74,7 +74,7 @@ impl Scene {
                 ));
             }
             // The graph of a constant is a line.
-            1 => graph(&if segment.degree() == 0 { segment.elevate(1) } else { segment.clone() })?,
+            1 => graph(&if segment.degree() == 0 { segment.elevate(1)? } else { segment.clone() })?,
             2 => segment.clone(),
             3 => {
                 let steps = Steps::of(segment, weights, parameter)?;

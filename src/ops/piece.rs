@@ -39,11 +39,11 @@ pub(super) fn reframe<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 pub(super) fn elevate<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     let by = arguments.count("by").copied().unwrap_or(1);
     let piece = match arguments.piece()? {
-        Piece::Curve(segment) => Piece::Curve(segment.elevate(by)),
-        Piece::Triangle(patch) => Piece::Triangle(patch.elevate(by)),
+        Piece::Curve(segment) => Piece::Curve(segment.elevate(by)?),
+        Piece::Triangle(patch) => Piece::Triangle(patch.elevate(by)?),
         Piece::Rectangle(patch) => {
             let (in_u, in_v) = if arguments.get("by").is_some() { arguments.pair("by")? } else { (1, 1) };
-            Piece::Rectangle(patch.elevate(in_u, in_v))
+            Piece::Rectangle(patch.elevate(in_u, in_v)?)
         }
     };
     net(arguments, piece)

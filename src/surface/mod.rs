@@ -11,7 +11,7 @@ use crate::kernel::integers::Integers;
 use crate::kernel::layout::Layout;
 use crate::kernel::shape::Shape;
 use crate::kernel::task::Value;
-use crate::reading::Reading;
+use crate::reading::{MAX_COEFFICIENTS, Reading};
 use crate::symbolic::{Monomial, Polynomial, Symbol};
 
 /// One term `c u^h v^k` of a coordinate: `(h, k, c)`.
@@ -46,7 +46,7 @@ pub struct Surface<C = Rational> {
 
 impl<C: Coefficient> Surface<C> {
     /// The most coefficients that a surface may have, zeros included.
-    pub const MAX_COEFFICIENTS: usize = 1 << 22;
+    pub const MAX_COEFFICIENTS: usize = MAX_COEFFICIENTS;
 
     /// The surface with these terms, one list a coordinate, read in some way.
     ///
@@ -60,7 +60,7 @@ impl<C: Coefficient> Surface<C> {
             return Err(Error::WrongShape("a surface needs at least one coordinate, and a total degree or a bidegree".into()));
         }
         check_reading(reading, largest_degrees(coordinates.iter().flatten()))?;
-        check_size(reading, dimension)?;
+        reading.check_size(dimension)?;
         let mut surface = Self { reading, dimension, coefficients: vec![C::nothing(); reading.points() * dimension] };
         for (position, terms) in coordinates.into_iter().enumerate() {
             for (h, k, c) in terms.into_iter().filter(|(_, _, c)| !c.is_nothing()) {
@@ -330,7 +330,7 @@ impl<C: Coefficient> Surface<C> {
 /// The largest degrees of terms that are not zero: in each variable, and in both together.
 fn largest_degrees<'t, C: Coefficient + 't>(terms: impl Iterator<Item = &'t Term<C>>) -> (usize, usize, usize) {
     let nonzero = terms.filter(|(_, _, c)| !c.is_nothing());
-    nonzero.fold((0, 0, 0), |(p, q, m), &(h, k, _)| (p.max(h), q.max(k), m.max(h + k)))
+    nonzero.fold((0, 0, 0), |(p, q, m), &(h, k, _)| (p.max(h), q.max(k), m.max(h.saturating_add(k))))
 }
 
 fn check_reading(reading: Reading, needed: (usize, usize, usize)) -> Result<(), Error> {
@@ -340,17 +340,5 @@ fn check_reading(reading: Reading, needed: (usize, usize, usize)) -> Result<(), 
             Err(Error::BidegreeTooLow { asked: (p, q), needed: (needed.0, needed.1) })
         }
         _ => Ok(()),
-    }
-}
-
-fn check_size(reading: Reading, dimension: usize) -> Result<(), Error> {
-    let limit = Surface::<Rational>::MAX_COEFFICIENTS;
-    let count = match reading {
-        Reading::Bidegree(p, q) => (p + 1).checked_mul(q + 1),
-        Reading::Total(m) | Reading::Curve(m) => (m + 1).checked_mul(m + 2).map(|count| count / 2),
-    };
-    match count.and_then(|count| count.checked_mul(dimension)) {
-        Some(count) if count <= limit => Ok(()),
-        _ => Err(Error::TooLarge { what: "surface, counted in coefficients,", limit }),
     }
 }
