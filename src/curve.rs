@@ -218,7 +218,7 @@ impl<C: Coefficient> Curve<C> {
         }
         let mut coefficients = Vec::with_capacity((self.degree + 1 - order) * self.dimension);
         for power in order..=self.degree {
-            let factor: Rational = (power - order + 1..=power).map(|k| Rational::from(k as i64)).product();
+            let factor: Rational = (power - order + 1..=power).map(Rational::from).product();
             let factor = C::from(factor);
             coefficients.extend(self.vector(power).iter().map(|c| c.times(&factor)));
         }
@@ -240,7 +240,8 @@ impl<C: Coefficient> Curve<C> {
     /// the vertices, `b_i = f(r^{m-i} s^i)` (Gallier, section 18.1).
     ///
     /// # Errors
-    /// None for a frame of numbers or symbols; the result is checked like any other.
+    /// None. The plan of the change of frame looks whether the new vertices are
+    /// independent, which the ends of every [`Interval`] are: they differ.
     pub fn segment(&self, frame: &Interval<C>) -> Result<Segment<C>, Error> {
         let shape = Shape::curve(self.degree, self.dimension);
         let mut vertices = Weights::default();

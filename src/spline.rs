@@ -152,7 +152,8 @@ impl Spline {
     /// are `f_j(u_j^{m-i} u_{j+1}^i)`.
     ///
     /// # Errors
-    /// None for a spline that was made.
+    /// None. The ends of a nonempty interval differ, and [`Spline::new`] saw to
+    /// it that all points have as many coordinates.
     pub fn pieces(&self) -> Result<Vec<Segment>, Error> {
         let piece = |j: usize| {
             let (low, high) = (&self.knots[j], &self.knots[j + 1]);
@@ -168,7 +169,8 @@ impl Spline {
     /// The orders of continuity at the knots between pieces.
     ///
     /// # Errors
-    /// None for a spline that was made.
+    /// None, as for [`Spline::pieces`]: all pieces have as many coordinates, and
+    /// frames of numbers.
     pub fn joins(&self) -> Result<Vec<KnotJoin>, Error> {
         let pieces = self.pieces()?;
         let join = |pair: &[Segment]| {

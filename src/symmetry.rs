@@ -1,7 +1,6 @@
 //! Symmetries of rectangular nets.
 
 use crate::affine::Rectangle;
-use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
 use crate::rectangular::RectangularPatch;
 
@@ -86,15 +85,13 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// use casteljau::{Rational, Rectangle, RectangularPatch, Symmetry};
     /// let rows = vec![[1, 2, 3].map(|z| vec![Rational::from(z)]).to_vec(), [4, 5, 6].map(|z| vec![Rational::from(z)]).to_vec()];
     /// let patch = RectangularPatch::from_rows(rows, Rectangle::unit())?;
-    /// let turned = patch.under(Symmetry::QuarterTurn)?;
+    /// let turned = patch.under(Symmetry::QuarterTurn);
     /// assert_eq!(turned.degree(), (2, 1));
     /// assert_eq!(turned.point(0, 0), patch.point(1, 0));
     /// # Ok::<(), casteljau::Error>(())
     /// ```
-    ///
-    /// # Errors
-    /// None; the result is checked like any other.
-    pub fn under(&self, symmetry: Symmetry) -> Result<Self, Error> {
+    #[must_use]
+    pub fn under(&self, symmetry: Symmetry) -> Self {
         let (exchanged, reverse_u, reverse_v) = symmetry.parts();
         let (p, q) = self.degree();
         let degree = if exchanged { (q, p) } else { (p, q) };
@@ -105,13 +102,14 @@ impl<C: Coefficient> RectangularPatch<C> {
         let u = if reverse_u { self.frame().u().reversed() } else { self.frame().u().clone() };
         let v = if reverse_v { self.frame().v().reversed() } else { self.frame().v().clone() };
         let frame = if exchanged { Rectangle::new(v, u) } else { Rectangle::new(u, v) };
-        Ok(Self::from_net(net, frame))
+        Self::from_net(net, frame)
     }
 
     /// The same rearranged net over the present frames, of which each symmetry
     /// of the net is an equality: whether the rearrangement leaves it as it is.
     #[must_use]
     pub fn is_invariant(&self, symmetry: Symmetry) -> bool {
-        self.under(symmetry).is_ok_and(|image| image.degree() == self.degree() && image.points().eq(self.points()))
+        let image = self.under(symmetry);
+        image.degree() == self.degree() && image.points().eq(self.points())
     }
 }

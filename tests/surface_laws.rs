@@ -329,14 +329,38 @@ proptest! {
         let m = degree(&surface);
         let curve = surface.segment(&at, &[&at[0] + &direction[0], &at[1] + &direction[1]]).expect("numbers").curve().expect("numbers");
         let expected = if m == 0 { vec![Rational::from(0); surface.dimension()] } else { curve.vector(1).to_vec() };
-        prop_assert_eq!(&surface.derivative(&direction, 1).expect("small").value(&at), &expected);
-        prop_assert_eq!(&surface.by_bidegree().expect("small").derivative(&direction, 1).expect("small").value(&at), &expected);
+        prop_assert_eq!(&surface.derivative(&direction, 1).value(&at), &expected);
+        prop_assert_eq!(&surface.by_bidegree().expect("small").derivative(&direction, 1).value(&at), &expected);
         let patch = surface.over_triangle(&frame).expect("a patch").derivative(&direction).expect("numbers");
         prop_assert_eq!(&patch.value(&at).expect("numbers"), &expected);
         let rectangle = surface.over_rectangle(&Rectangle::unit()).expect("a patch");
         let [in_u, in_v] = [Axis::U, Axis::V].map(|axis| rectangle.partial(axis).expect("numbers").value(&at[0], &at[1]).expect("numbers"));
         let combined: Vec<Rational> = in_u.iter().zip(&in_v).map(|(a, b)| a * &direction[0] + b * &direction[1]).collect();
         prop_assert_eq!(combined, expected);
+    }
+
+    #[test]
+    fn partial_derivatives_are_those_of_the_terms((terms, surface) in total(4), (tensor_terms, tensor) in tensor(3), orders in [0usize..6, 0usize..6], direction in place()) {
+        let [in_u, in_v] = orders;
+        let falling = |from: usize, by: usize| (0..by).map(|k| Rational::from(from - k)).product::<Rational>();
+        let derived = |terms: &Terms| -> Terms {
+            let coordinate = |list: &Vec<(usize, usize, Rational)>| {
+                let kept = list.iter().filter(|(h, k, _)| *h >= in_u && *k >= in_v);
+                kept.map(|(h, k, c)| (h - in_u, k - in_v, c * falling(*h, in_u) * falling(*k, in_v))).collect()
+            };
+            terms.iter().map(coordinate).collect()
+        };
+        let reading = Reading::Total(degree(&surface).saturating_sub(in_u + in_v));
+        prop_assert_eq!(surface.partial(in_u, in_v), Surface::new(reading, derived(&terms)).expect("lower degrees"));
+        let (p, q) = bidegree(&tensor);
+        let reading = Reading::Bidegree(p.saturating_sub(in_u), q.saturating_sub(in_v));
+        prop_assert_eq!(tensor.partial(in_u, in_v), Surface::new(reading, derived(&tensor_terms)).expect("lower degrees"));
+        // Derivatives of derivatives, and beyond every degree.
+        for surface in [surface, tensor] {
+            let once = (0..in_u).fold(surface.clone(), |surface, _| surface.derivative(&direction, 1));
+            prop_assert_eq!(&surface.derivative(&direction, in_u), &once);
+            prop_assert!(surface.derivative(&direction, usize::MAX).is_zero());
+        }
     }
 
     #[test]
@@ -368,7 +392,7 @@ proptest! {
         let unit = RectangularPatch::from_points(patch.degree(), lists(patch.points()), Rectangle::unit()).expect("a patch");
         let one = Rational::from(1);
         for symmetry in Symmetry::ALL {
-            let image = unit.under(symmetry).expect("a patch");
+            let image = unit.under(symmetry);
             // Over the frame that goes with it the surface is the same; over the unit square the parameters move.
             let moved = RectangularPatch::from_points(image.degree(), lists(image.points()), Rectangle::unit()).expect("a patch");
             let (back_u, back_v) = (&one - &u, &one - &v);
@@ -589,8 +613,7 @@ fn subdivisions_of_surfaces_have_limits() {
     let triangle = |count| TriangularPatch::from_points(points(count), Triangle::standard()).expect("a net");
     let rectangle = |p, q| RectangularPatch::from_points((p, q), points((p + 1) * (q + 1)), Rectangle::unit()).expect("a net");
     let (most, limit) = (RectangularPatch::<Rational>::MAX_DEPTH, RectangularPatch::<Rational>::MAX_STEPS);
-    let (deep, long) =
-        (TooLarge { what: "depth of subdivision", limit: most }, TooLarge { what: "subdivision, counted in steps,", limit });
+    let (deep, long) = (TooLarge { what: "depth of subdivision", limit: most }, TooLarge { what: "subdivision, counted in steps,", limit });
     assert_eq!(most, TriangularPatch::<Rational>::MAX_DEPTH);
     assert_eq!(triangle(1).subdivide(most + 1), Err(deep.clone()));
     assert_eq!(rectangle(0, 0).subdivide(most + 1), Err(deep));

@@ -159,13 +159,13 @@ pub(super) fn symmetry<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     if let Ok(name) = arguments.word("apply") {
         let symmetry = Symmetry::ALL.into_iter().find(|symmetry| symmetry.name() == *name);
         let symmetry = symmetry.ok_or_else(|| Error::WrongShape(format!("there is no symmetry `{name}` of a rectangle")))?;
-        let image = patch.under(symmetry)?;
+        let image = patch.under(symmetry);
         let (p, q) = image.degree();
         return Ok(Answer::new(vec![("degree", Value::Counts(vec![p, q])), ("points", Value::Net(Piece::Rectangle(image)))]));
     }
     let mut records = Vec::new();
     for symmetry in Symmetry::ALL {
-        let (p, q) = patch.under(symmetry)?.degree();
+        let (p, q) = patch.under(symmetry).degree();
         records.push(Value::Record(vec![
             ("symmetry", Value::Word(symmetry.name())),
             ("relation", Value::Word(symmetry.relation())),

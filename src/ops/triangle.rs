@@ -142,7 +142,7 @@ pub(super) fn derivative<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C>
         ));
     }
     let direction = arguments.parameter_point("direction")?;
-    let derivative = arguments.surface()?.derivative(&direction, arguments.count("order").copied().unwrap_or(1))?;
+    let derivative = arguments.surface()?.derivative(&direction, arguments.count("order").copied().unwrap_or(1));
     Ok(Answer::new(vec![match arguments.get("a") {
         Some(_) => ("value", Value::Point(derivative.value(&arguments.parameter_point("a")?))),
         None => ("derivative", Value::Surface(derivative)),

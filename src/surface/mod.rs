@@ -164,10 +164,15 @@ impl<C: Coefficient> Surface<C> {
         &self.coefficients
     }
 
+    /// The vectors of coefficients that are not zero, with their exponents.
+    fn vectors(&self) -> impl Iterator<Item = ((usize, usize), &[C])> {
+        let vectors = self.coefficients.chunks_exact(self.dimension);
+        self.exponents().into_iter().zip(vectors).filter(|(_, vector)| vector.iter().any(|c| !c.is_nothing()))
+    }
+
     /// The exponents of all terms that are not zero, in any coordinate.
     fn support(&self) -> impl Iterator<Item = (usize, usize)> {
-        let vectors = self.coefficients.chunks_exact(self.dimension);
-        self.exponents().into_iter().zip(vectors).filter(|(_, vector)| vector.iter().any(|c| !c.is_nothing())).map(|(place, _)| place)
+        self.vectors().map(|(place, _)| place)
     }
 
     /// The largest total degree of the coordinates; 0 for constants.
@@ -246,49 +251,56 @@ impl<C: Coefficient> Surface<C> {
 
     /// The partial derivative of some orders: a surface of vectors, of a total
     /// degree or bidegree that much lower (0 beyond the degree).
-    ///
-    /// # Errors
-    /// None; the result is checked like any other surface.
-    pub fn partial(&self, in_u: usize, in_v: usize) -> Result<Self, Error> {
-        let falling = |from: usize, by: usize| (from - by + 1..=from).map(|k| Rational::from(k as i64)).product::<Rational>();
-        let coordinate = |index| {
-            let kept = self.terms(index).into_iter().filter(|&(h, k, _)| h >= in_u && k >= in_v);
-            kept.map(|(h, k, c)| (h - in_u, k - in_v, c.times(&C::from(falling(h, in_u) * falling(k, in_v))))).collect()
-        };
-        Self::new(self.lowered(in_u, in_v), (0..self.dimension).map(coordinate).collect())
+    #[must_use]
+    pub fn partial(&self, in_u: usize, in_v: usize) -> Self {
+        let falling = |from: usize, by: usize| (from - by + 1..=from).map(Rational::from).product::<Rational>();
+        let mut result = self.zero(self.lowered(in_u, in_v));
+        for ((h, k), vector) in self.vectors().filter(|&((h, k), _)| h >= in_u && k >= in_v) {
+            result.add_multiple((h - in_u, k - in_v), vector, &C::from(falling(h, in_u) * falling(k, in_v)));
+        }
+        result
     }
 
     fn lowered(&self, in_u: usize, in_v: usize) -> Reading {
         match self.reading {
             Reading::Bidegree(p, q) => Reading::Bidegree(p.saturating_sub(in_u), q.saturating_sub(in_v)),
-            Reading::Total(m) | Reading::Curve(m) => Reading::Total(m.saturating_sub(in_u + in_v)),
+            Reading::Total(m) | Reading::Curve(m) => Reading::Total(m.saturating_sub(in_u).saturating_sub(in_v)),
         }
     }
 
-    /// The derivative in the direction `(du, dv)`, of some order.
-    ///
-    /// # Errors
-    /// None; the result is checked like any other surface.
-    pub fn derivative(&self, direction: &[C; 2], order: usize) -> Result<Self, Error> {
+    /// The derivative in the direction `(du, dv)`, of some order. Its total
+    /// degree is that much lower; its bidegree is the same, as either variable
+    /// may keep its degree.
+    #[must_use]
+    pub fn derivative(&self, [du, dv]: &[C; 2], order: usize) -> Self {
+        // Beyond the degrees there is nothing left.
+        let degree: usize = self.reading.groups().iter().map(|group| group.0).sum();
         let mut result = self.clone();
-        for _ in 0..order {
-            let [in_u, in_v] = [result.partial(1, 0)?, result.partial(0, 1)?];
-            let reading = match result.reading {
-                // Either variable may keep its degree.
-                Reading::Bidegree(..) => result.reading,
-                _ => result.lowered(1, 0),
-            };
-            let mut sum = in_u.scaled(&direction[0]).read_as(reading)?;
-            let other = in_v.scaled(&direction[1]).read_as(reading)?;
-            sum.coefficients.iter_mut().zip(&other.coefficients).for_each(|(a, b)| a.add(b));
+        for _ in 0..order.min(degree + 1) {
+            let reading = if let Reading::Bidegree(..) = result.reading { result.reading } else { result.lowered(1, 0) };
+            let mut sum = self.zero(reading);
+            for ((h, k), vector) in result.vectors() {
+                if h > 0 {
+                    sum.add_multiple((h - 1, k), vector, &du.times(&C::from(Rational::from(h))));
+                }
+                if k > 0 {
+                    sum.add_multiple((h, k - 1), vector, &dv.times(&C::from(Rational::from(k))));
+                }
+            }
             result = sum;
         }
-        Ok(result)
+        result
     }
 
-    fn scaled(mut self, factor: &C) -> Self {
-        self.coefficients.iter_mut().for_each(|c| c.multiply(factor));
-        self
+    /// The surface of as many coordinates, read in some way, that vanishes.
+    fn zero(&self, reading: Reading) -> Self {
+        Self { reading, dimension: self.dimension, coefficients: vec![C::nothing(); reading.points() * self.dimension] }
+    }
+
+    /// Adds a multiple of a vector to the coefficients of `u^h v^k`.
+    fn add_multiple(&mut self, (h, k): (usize, usize), vector: &[C], factor: &C) {
+        let start = self.place(h, k) * self.dimension;
+        self.coefficients[start..].iter_mut().zip(vector).for_each(|(sum, c)| sum.add_product(c, factor));
     }
 
     /// The map with one more coordinate, given by its terms; the degrees rise if need be.
