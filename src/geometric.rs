@@ -151,7 +151,7 @@ fn cartesian(homogeneous: &[Vec<Rational>]) -> Result<Vec<Vec<Rational>>, Error>
         let mut rest = vector[..vector.len() - 1].to_vec();
         let mut binomial = Rational::from(1);
         for k in 1..=order {
-            binomial = binomial * Rational::from((order + 1 - k) as i64) / Rational::from(k as i64);
+            binomial = binomial * Rational::from(order + 1 - k) / Rational::from(k);
             let factor = &binomial * weights[k];
             rest.iter_mut().zip(&found[order - k]).for_each(|(x, y)| *x -= y * &factor);
         }

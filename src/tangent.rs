@@ -167,7 +167,7 @@ impl Boundary {
 
 fn derivative(polynomial: &Polynomial, x: Symbol) -> Polynomial {
     let powers = polynomial.coefficients_in(x).into_iter().enumerate().skip(1);
-    Polynomial::from_coefficients(x, &powers.map(|(power, c)| &c * &Polynomial::from(Rational::from(power as i64))).collect::<Vec<_>>())
+    Polynomial::from_coefficients(x, &powers.map(|(power, c)| &c * &Polynomial::from(Rational::from(power))).collect::<Vec<_>>())
 }
 
 /// Whether two patches in space join with a common tangent plane along a side

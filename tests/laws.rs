@@ -220,7 +220,7 @@ proptest! {
         }
         let mut arguments = vec![Parameter::from(t.clone()); m - order];
         arguments.extend(vec![Parameter::direction(); order]);
-        let factor: Rational = (m - order + 1..=m).map(|k| Rational::from(k as i64)).product();
+        let factor: Rational = (m - order + 1..=m).map(Rational::from).product();
         let expected: Vec<Rational> = curve.blossom_homogeneous(&arguments).expect("m arguments").iter().map(|x| x * &factor).collect();
         prop_assert_eq!(derivative.value(&t), expected);
         if order == 1 {

@@ -83,12 +83,9 @@ fn clough_tocher_elements_are_c1() {
                             .map(|j| {
                                 let k = degree - i - j;
                                 let place = |axis: usize| {
-                                    let sum: Rational = vertices
-                                        .iter()
-                                        .zip([i, j, k])
-                                        .map(|(vertex, times)| &vertex[axis] * Rational::from(times as i64))
-                                        .sum();
-                                    (sum / Rational::from(degree as i64)).to_string()
+                                    let sum: Rational =
+                                        vertices.iter().zip([i, j, k]).map(|(vertex, times)| &vertex[axis] * Rational::from(times)).sum();
+                                    (sum / Rational::from(degree)).to_string()
                                 };
                                 let value = piece["net"][format!("{i},{j},{k}")].as_str().expect("a value").to_owned();
                                 vec![place(0), place(1), value]

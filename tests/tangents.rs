@@ -61,9 +61,9 @@ fn rectangle(coordinates: &[Polynomial], to: i64, turned: bool) -> Piece {
 
 fn degree_across(piece: &Piece) -> Rational {
     match piece {
-        Piece::Curve(segment) => Rational::from(segment.degree() as i64),
-        Piece::Triangle(patch) => Rational::from(patch.degree() as i64),
-        Piece::Rectangle(patch) => Rational::from(patch.degree().1 as i64),
+        Piece::Curve(segment) => Rational::from(segment.degree()),
+        Piece::Triangle(patch) => Rational::from(patch.degree()),
+        Piece::Rectangle(patch) => Rational::from(patch.degree().1),
     }
 }
 

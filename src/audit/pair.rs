@@ -189,7 +189,7 @@ impl Pair<'_> {
                 }
                 _ => return None,
             };
-            length.abs().checked_div(&Rational::from(i64::try_from(degree).ok()?))
+            length.abs().checked_div(&Rational::from(degree))
         };
         reach(&b, self.mate.second)?.checked_div(&reach(&a, self.mate.first)?)
     }

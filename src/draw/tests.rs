@@ -134,7 +134,7 @@ fn extreme_numbers_have_finite_places() {
     let long = Rational::from(7).pow(200) / Rational::from(3).pow(200);
     for values in [[&huge, &tiny, &long], [&tiny, &tiny, &huge], [&long, &long, &long]] {
         for dimension in 1..=3 {
-            let coordinates = (0..4 * dimension).map(|index| values[index % 3] * Rational::from((index * 5 % 7) as i64)).collect();
+            let coordinates = (0..4 * dimension).map(|index| values[index % 3] * Rational::from(index * 5 % 7)).collect();
             let frame = Interval::new(values[0].clone(), values[0] + Rational::from(1)).unwrap();
             let segment = Segment::new(dimension, coordinates, frame).unwrap();
             let picture = CurvePicture::new(segment).with_scheme(values[0] + Rational::new(1, 3)).with_subdivision(1);

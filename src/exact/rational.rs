@@ -431,4 +431,13 @@ mod tests {
         let product = &matrix * DVector::from_element(2, Rational::from(3));
         assert_eq!(product, DVector::from_element(2, Rational::from(2)));
     }
+
+    #[test]
+    fn counts_of_every_size_are_exact() {
+        for count in [0, 1, i64::MAX as u64, i64::MAX as u64 + 1, u64::MAX] {
+            assert_eq!(Rational::from(count), Rational::from(BigInt::from(count)));
+            assert_eq!(Rational::from(count).to_string(), count.to_string());
+        }
+        assert_eq!(Rational::from(usize::MAX), Rational::from(BigInt::from(usize::MAX)));
+    }
 }

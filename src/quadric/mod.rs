@@ -196,13 +196,7 @@ fn eliminate(row: &mut [Rational], known: &[Rational], pivot: usize) {
 fn is_collapsed(coordinates: &[Bivariate]) -> bool {
     let derivative = |polynomial: &Bivariate, by_u: bool| -> Bivariate {
         let terms = polynomial.iter().filter(|((h, k), _)| if by_u { *h > 0 } else { *k > 0 });
-        terms
-            .map(
-                |((h, k), c)| {
-                    if by_u { ((h - 1, *k), c * Rational::from(*h as i64)) } else { ((*h, k - 1), c * Rational::from(*k as i64)) }
-                },
-            )
-            .collect()
+        terms.map(|((h, k), c)| if by_u { ((h - 1, *k), c * Rational::from(*h)) } else { ((*h, k - 1), c * Rational::from(*k)) }).collect()
     };
     let pairs: Vec<(Bivariate, Bivariate)> = coordinates.iter().map(|p| (derivative(p, true), derivative(p, false))).collect();
     (0..pairs.len()).all(|i| (0..i).all(|j| times(&pairs[i].0, &pairs[j].1) == times(&pairs[j].0, &pairs[i].1)))

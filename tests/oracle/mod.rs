@@ -18,7 +18,7 @@ fn homogeneous(coefficients: &[Rational], m: usize, t: &Rational, w: &Rational) 
 /// identity: an alternating sum of values at the sums of all subsets.
 pub(crate) fn polarization(curve: &Coefficients, arguments: &[(Rational, Rational)]) -> Vec<Rational> {
     let m = arguments.len();
-    let factorial: Rational = (1..=m).map(|k| Rational::from(k as i64)).product();
+    let factorial: Rational = (1..=m).map(Rational::from).product();
     let value = |coefficients: &Vec<Rational>| {
         let mut sum = zero();
         for subset in 0u32..1 << m {
@@ -72,7 +72,7 @@ pub(crate) type Terms = Vec<Vec<(usize, usize, Rational)>>;
 /// the polarization identity.
 pub(crate) fn total_polarization(surface: &Terms, arguments: &[[Rational; 3]]) -> Vec<Rational> {
     let m = arguments.len();
-    let factorial: Rational = (1..=m).map(|k| Rational::from(k as i64)).product();
+    let factorial: Rational = (1..=m).map(Rational::from).product();
     let value = |terms: &Vec<(usize, usize, Rational)>| {
         let mut sum = zero();
         for subset in 0u32..1 << m {
@@ -109,7 +109,7 @@ pub(crate) fn surface_value(surface: &Terms, u: &Rational, v: &Rational) -> Vec<
 }
 
 fn factorial(n: usize) -> Rational {
-    (1..=n).map(|k| Rational::from(k as i64)).product()
+    (1..=n).map(Rational::from).product()
 }
 
 /// The point of a triangular net by Bernstein polynomials.
