@@ -13,7 +13,7 @@ use crate::exact::{Rational, Surd};
 use crate::roots::{RealRoots, RootPlace};
 
 /// A real root of a polynomial with rational coefficients.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum AlgebraicNumber {
     /// A number of degree one or two.
     Surd(Surd),
@@ -22,7 +22,7 @@ pub enum AlgebraicNumber {
 }
 
 /// The only root of a square-free polynomial in an open interval.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IsolatedRoot {
     polynomial: IntegerPolynomial,
     low: Rational,

@@ -28,7 +28,7 @@ use crate::triangular::TriangularPatch;
 /// assert_eq!(basis.maximum(4), Some((vec![Rational::new(1, 2), Rational::new(1, 2)], Rational::new(1, 2))));
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bernstein {
     reading: Reading,
     frame: Frame<Rational>,

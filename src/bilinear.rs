@@ -26,7 +26,7 @@ use crate::scheme::remaining;
 /// assert_eq!(steps.point(), [Rational::from(3)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TwoSteps<C = Rational> {
     first: Axis,
     parameters: (C, C),
@@ -133,7 +133,7 @@ impl<C: Coefficient> TwoSteps<C> {
 /// assert_eq!(steps.point(), [Rational::from(3)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CommonSteps<C = Rational> {
     parameters: (C, C),
     nets: Vec<RectangularPatch<C>>,

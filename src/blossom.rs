@@ -30,7 +30,7 @@ use crate::symbolic::{Monomial, Polynomial, Symbol};
 /// assert_eq!(polar.value(&[1, 2, 3].map(Rational::from))?, [Rational::from(12)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PolarForm<C = Rational> {
     reading: Reading,
     dimension: usize,

@@ -112,7 +112,7 @@ pub fn continuity_of_surfaces(a: &Surface, b: &Surface, [from, to]: &[[Rational;
 
 /// How smoothly two rational maps join: in homogeneous space, there up to a
 /// factor, and in the space that they are maps into.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RationalContinuity {
     /// Of the Cartesian maps.
     pub cartesian: Continuity,

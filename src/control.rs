@@ -21,7 +21,7 @@ pub(crate) const MAX_STEPS: usize = 1 << 25;
 pub(crate) const MAX_PATCH_DEPTH: usize = 10;
 
 /// The control points of a map, point by point in the order of the shape.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ControlNet<C> {
     pub(crate) shape: Shape,
     pub(crate) coordinates: Vec<C>,

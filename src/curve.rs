@@ -35,7 +35,7 @@ use crate::symbolic::{Polynomial, Symbol};
 /// assert_eq!(segment.curve()?, curve);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Curve<C = Rational> {
     degree: usize,
     dimension: usize,

@@ -6,6 +6,7 @@ use crate::affine::Interval;
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::exact::Rational;
+use crate::name::display_by_name;
 use crate::segment::Segment;
 use crate::side::Side;
 
@@ -62,6 +63,8 @@ impl Directions {
         }
     }
 }
+
+display_by_name!(Directions);
 
 /// The number `β` with `vector = β base`, if there is one; `base` is not zero.
 fn ratio(vector: &[Rational], base: &[Rational]) -> Option<Rational> {

@@ -10,7 +10,7 @@ use crate::scheme::polar_label;
 use crate::triangular::TriangularPatch;
 
 /// What two pieces have in common in the space of parameters.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Joint {
     /// A parameter of two curves.
     Parameter(Rational),
@@ -21,7 +21,7 @@ pub enum Joint {
 /// One condition of a join: a polar value of both maps. The names of the
 /// arguments are `s` and `t` for the ends of a common edge (`s` alone for
 /// curves) and `q` for a vertex of the second piece off the joint.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JoinCondition {
     /// How many arguments are off the joint: the order that it belongs to.
     pub order: usize,
@@ -188,7 +188,7 @@ fn rectangles(
 
 /// Four control points of two triangles that are to be an affine image of
 /// `p`, `s`, `t` and `q`, the vertices of their frames (CS348a, lecture 12, section 5).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AffineGroup {
     /// The other arguments of all four polar values, such as `s,t`.
     pub label: String,
@@ -230,7 +230,7 @@ pub fn affine_groups(first: &Piece, second: &Piece, joint: &Joint) -> Result<([R
 }
 
 /// The net that a smooth neighbour is bound to have.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Extension {
     /// The continuation of the piece over the neighbour's frame: the neighbour's
     /// control points as far as they are forced.

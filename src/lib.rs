@@ -44,7 +44,7 @@
 //! | [`syntax`] | the grammar and its printers |
 //! | `symbolic` | symbols, monomials, polynomials |
 //! | `exact` | rational numbers, numbers `a ± √d`, decimals, gcds, widths of integers |
-//! | `error` | what can be wrong with a request |
+//! | `error`, `name` | what can be wrong with a request; what is written by its name |
 //!
 //! The library without the default feature `cli` has no command line, no JSON
 //! and none of the packages these need.
@@ -78,6 +78,7 @@ mod meeting;
 mod mesh;
 #[cfg(feature = "cli")]
 pub mod model;
+mod name;
 pub mod ops;
 mod piece;
 mod quadric;

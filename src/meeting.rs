@@ -13,7 +13,7 @@ use crate::side::{Arrangement, Side, Strip};
 use crate::symbolic::{Polynomial, Symbol};
 
 /// What two pieces have in common.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Meeting {
     /// A parameter of two curves or an edge of two patches in one parameter plane.
     Joint(Joint),

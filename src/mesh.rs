@@ -24,7 +24,7 @@ use crate::weights::projected;
 /// assert_eq!(mesh.vertices()[80], [q(1), q(1), q(-2)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mesh {
     vertices: Vec<[Rational; 3]>,
     triangles: Vec<[u32; 3]>,

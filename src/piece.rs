@@ -12,7 +12,7 @@ use crate::surface::Surface;
 use crate::triangular::TriangularPatch;
 
 /// A piece of a curve or surface, given by control points over a frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Piece<C = Rational> {
     /// A segment of a curve.
     Curve(Segment<C>),
@@ -23,7 +23,7 @@ pub enum Piece<C = Rational> {
 }
 
 /// The equation of a piece.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Equation<C = Rational> {
     /// Of a curve.
     Curve(Curve<C>),

@@ -28,7 +28,7 @@ use crate::surface::Surface;
 /// assert_eq!(patch.label(1, 0), "f(s1;r2)");
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RectangularPatch<C = Rational> {
     net: ControlNet<C>,
     frame: Rectangle<C>,
@@ -56,7 +56,7 @@ impl Axis {
 }
 
 /// The nets of a rectangle subdivided at `(u, v)`; none where a part has no width.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quartering<C = Rational> {
     /// The point `F(u, v)`.
     pub point: Vec<C>,
@@ -71,7 +71,7 @@ pub struct Quartering<C = Rational> {
 }
 
 /// A patch at its true bidegree, and its degrees.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RectangularReduction<C = Rational> {
     /// The largest degree of the coordinates in each parameter.
     pub true_degree: (usize, usize),

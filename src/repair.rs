@@ -14,7 +14,7 @@ use crate::weights::projected;
 
 /// A piece whose control points were moved as little as possible: the sum of
 /// the squared lengths of the moves is least.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Repair {
     /// The changed piece.
     pub piece: Piece,

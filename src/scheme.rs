@@ -24,7 +24,7 @@ use crate::segment::Segment;
 /// assert_eq!(scheme.point(), [Rational::from(2)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Scheme<C = Rational> {
     degree: usize,
     dimension: usize,

@@ -30,14 +30,14 @@ use crate::scheme::{Scheme, polar_label, remaining};
 /// assert!(left.same_map(&right)?);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Segment<C = Rational> {
     net: ControlNet<C>,
     frame: Interval<C>,
 }
 
 /// A segment at its true degree, and what that is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reduction<C = Rational> {
     /// The largest degree of the coordinates; 0 for a constant.
     pub true_degree: usize,

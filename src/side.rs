@@ -1,12 +1,11 @@
 //! The ends of curves and the edges of patches, by name.
 
-use std::fmt;
-
 use crate::affine::Frame;
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::joint::Joint;
 use crate::kernel::coefficient::Coefficient;
+use crate::name::display_by_name;
 use crate::piece::Piece;
 
 /// An end of a curve, or an edge of a patch. Edges run from the first vertex in
@@ -222,11 +221,7 @@ impl Side {
     }
 }
 
-impl fmt::Display for Side {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
+display_by_name!(Side);
 
 #[cfg(test)]
 mod tests {

@@ -22,7 +22,7 @@ use crate::segment::Segment;
 /// assert_eq!(spline.insert(&Rational::new(1, 2))?.points().len(), 5);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spline {
     degree: usize,
     knots: Vec<Rational>,
@@ -30,7 +30,7 @@ pub struct Spline {
 }
 
 /// Two pieces of a spline at their common knot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct KnotJoin {
     /// The knot.
     pub knot: Rational,

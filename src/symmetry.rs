@@ -2,6 +2,7 @@
 
 use crate::affine::Rectangle;
 use crate::kernel::coefficient::Coefficient;
+use crate::name::display_by_name;
 use crate::rectangular::RectangularPatch;
 
 /// A rearrangement of a rectangular net: a symmetry of the rectangle.
@@ -76,6 +77,8 @@ impl Symmetry {
         }
     }
 }
+
+display_by_name!(Symmetry);
 
 impl<C: Coefficient> RectangularPatch<C> {
     /// The net rearranged, over the frame that goes with it: the same surface

@@ -20,7 +20,7 @@ use crate::symbolic::{Polynomial, Symbol};
 /// the second patch, the planes are the same where `r = -λ p + μ a`, and the
 /// patches lie on opposite sides of the edge where `λ > 0` (Farin, *Curves and
 /// Surfaces for CAGD*, geometric continuity of composite surfaces).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TangentPlaneJoin {
     /// Whether the edge curves are the same, run through in one direction or the other.
     pub same_edge: bool,

@@ -21,7 +21,7 @@ use crate::triangular::TriangularPatch;
 /// assert_eq!(scheme.point(), [Rational::from(3)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TriangularScheme<C = Rational> {
     /// A net with vertices t, a, r, s.
     net: ControlNet<C>,

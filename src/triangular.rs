@@ -27,7 +27,7 @@ use crate::tetrahedron::TriangularScheme;
 /// assert_eq!(patch.value(&middle)?, [Rational::new(1, 2), Rational::new(1, 4), Rational::from(1)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TriangularPatch<C = Rational> {
     net: ControlNet<C>,
     frame: Triangle<C>,
@@ -35,7 +35,7 @@ pub struct TriangularPatch<C = Rational> {
 
 /// The nets of a patch subdivided at a point `a`, each with `a` in place of one
 /// vertex; none where the sub-triangle is flat.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trisection<C = Rational> {
     /// The point `F(a)`.
     pub point: Vec<C>,
@@ -50,7 +50,7 @@ pub struct Trisection<C = Rational> {
 /// The nets of a patch subdivided at the midpoints `a` of `st`, `b` of `rt` and
 /// `c` of `rs`, with vertices in the order of their names. All four have the
 /// opposite orientation of the frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quadrisection<C = Rational> {
     /// The net over `(a, b, t)`.
     pub abt: TriangularPatch<C>,
@@ -63,7 +63,7 @@ pub struct Quadrisection<C = Rational> {
 }
 
 /// A patch at its true total degree, and what that is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TriangularReduction<C = Rational> {
     /// The largest total degree of the coordinates; 0 for a constant.
     pub true_degree: usize,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 /// From the bottom up; modules of one layer may use each other.
 const LAYERS: &[&[&str]] = &[
-    &["error"],
+    &["error", "name"],
     &["exact"],
     &["symbolic"],
     &["syntax"],

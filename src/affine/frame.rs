@@ -6,7 +6,7 @@ use super::{Interval, Rectangle, Triangle};
 use crate::kernel::coefficient::Coefficient;
 
 /// A frame of the parameter line or plane.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Frame<C> {
     /// `r..s`, for curves.
     Interval(Interval<C>),

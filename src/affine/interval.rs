@@ -17,7 +17,7 @@ use crate::kernel::coefficient::Coefficient;
 /// assert!(Interval::new(Rational::from(2), Rational::from(2)).is_err());
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interval<C = Rational> {
     r: C,
     s: C,

@@ -10,7 +10,7 @@ use crate::kernel::coefficient::Coefficient;
 ///
 /// Control points of an image are the images of the control points (Gallier,
 /// *Curves and Surfaces in Geometric Modeling*, section 18.2).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AffineMap<C = Rational> {
     rows: Vec<Vec<C>>,
     shift: Vec<C>,

@@ -11,7 +11,7 @@ use crate::kernel::coefficient::Coefficient;
 /// argument a vector, and `f(t, …, t, [0; 1])` is the derivative at `t` over
 /// the degree (Ramshaw, *Blossoming*, 1987, on homogenizing; Gallier, *Curves
 /// and Surfaces in Geometric Modeling*, chapter 18).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Parameter<C = Rational> {
     /// The coordinate.
     pub t: C,
@@ -48,7 +48,7 @@ impl<C: Coefficient> From<C> for Parameter<C> {
 /// An argument of the polar form of a surface by its total degree: the point
 /// `(u, v)` of the parameter plane where the weight is 1, the direction
 /// `(u, v)` where the weight is 0, in general the homogeneous `[w; u, v]`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlaneParameter<C = Rational> {
     /// The first coordinate.
     pub u: C,

@@ -14,7 +14,7 @@ use crate::kernel::coefficient::Coefficient;
 /// assert_eq!(frame.to_string(), "0..1, -1..2");
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rectangle<C = Rational> {
     u: Interval<C>,
     v: Interval<C>,

@@ -18,7 +18,7 @@ use crate::kernel::coefficient::Coefficient;
 /// assert!(Triangle::new(point(0, 0), point(1, 2), point(2, 4)).is_err());
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Triangle<C = Rational> {
     vertices: [[C; 2]; 3],
 }

@@ -9,7 +9,7 @@ use crate::exact::Rational;
 use crate::side::Side;
 
 /// A join of a model and what was found of it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Join {
     /// The part and its side with the smaller index.
     pub first: (usize, Side),

@@ -1,7 +1,8 @@
 //! What joins are held to.
 
-use std::fmt;
 use std::str::FromStr;
+
+use crate::name::display_by_name;
 
 /// An order of continuity that a join must have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -51,11 +52,7 @@ impl Requirement {
     }
 }
 
-impl fmt::Display for Requirement {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
+display_by_name!(Requirement);
 
 impl FromStr for Requirement {
     type Err = String;

@@ -38,7 +38,7 @@ impl Contact {
 }
 
 /// The first-order comparison of two pieces.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Tangency {
     pub(super) contact: Contact,
     /// The constant ratio of the second cross-boundary difference to the first.

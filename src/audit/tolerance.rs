@@ -10,7 +10,7 @@ use super::angle::rounded;
 use crate::exact::Rational;
 
 /// What a join may be off by.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tolerance {
     /// The largest squared sine of the angle, with the degrees that were stated.
     angle: Option<(Rational, Rational)>,

@@ -1,5 +1,7 @@
 //! Verdicts on joins.
 
+use crate::name::display_by_name;
+
 /// What is said of a join that was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
@@ -32,6 +34,8 @@ impl Verdict {
     }
 }
 
+display_by_name!(Verdict);
+
 /// Whether points within half a unit of the last printed digit are smooth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
@@ -54,3 +58,5 @@ impl Rounding {
         }
     }
 }
+
+display_by_name!(Rounding);

@@ -10,7 +10,7 @@ use crate::exact::{Rational, Surd};
 use crate::symbolic::{Polynomial, Symbol};
 
 /// A value of the parameter where the class is another than nearby.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Breakpoint {
     /// The value.
     pub value: AlgebraicNumber,
@@ -19,7 +19,7 @@ pub struct Breakpoint {
 }
 
 /// The classes of the cubics whose coefficients are polynomials in one parameter.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Family {
     /// The parameter.
     pub parameter: Symbol,

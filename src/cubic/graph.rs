@@ -4,6 +4,7 @@ use num_traits::{Signed, Zero};
 
 use super::{Cubic, CubicClass, Vector, dot, is_zero};
 use crate::exact::Rational;
+use crate::name::display_by_name;
 
 /// The coordinates `u = y3 x - x3 y` and `v = x3 x + y3 y` along the curve, a
 /// rotation and stretch of the plane that makes `u` quadratic (CS348a, lecture
@@ -48,6 +49,8 @@ impl Direction {
         }
     }
 }
+
+display_by_name!(Direction);
 
 impl Cubic {
     /// The coordinates that `F_3` turns; `None` if `F_3 = 0`.

@@ -57,7 +57,7 @@ pub(crate) type Vector = [Rational; 2];
 /// assert_eq!(special.crunode_parameters(), [Surd::from(q(-1)), Surd::from(q(1))]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cubic {
     /// `F_0` to `F_3`.
     vectors: [Vector; 4],

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::{Cubic, CubicClass, Special};
 use crate::affine::{Interval, Place};
 use crate::exact::Surd;
+use crate::name::display_by_name;
 
 /// The name of a place in answers.
 pub(crate) fn place_name(place: Place) -> &'static str {
@@ -75,6 +76,8 @@ impl PortionShape {
     }
 }
 
+display_by_name!(PortionShape);
+
 impl PortionShape {
     /// What is to be seen, in the words of the lecture.
     #[must_use]
@@ -93,7 +96,7 @@ impl PortionShape {
 }
 
 /// The segment of a cubic over a frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Portion {
     /// The frame.
     pub frame: Interval,

@@ -31,7 +31,7 @@ pub struct MedianLine {
 /// Where `κ23 ≠ 0`, the curve is `F(t* + τ) = G_0 + G_2 τ² + F_3 (τ³ + c τ)`
 /// with the summit `G_0` at `t* = κ31/(2 κ23)`, `G_2 = F_2 + 3 F_3 t*` and
 /// `c = D/(4 κ23²)`; the double point is `G_0 - c G_2` always, a rational point.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Special {
     /// Two flexes, the summit between them, and the isolated double point.
     Humpy {
@@ -77,7 +77,7 @@ pub enum Special {
 }
 
 /// The numbers that all cubics with `κ23 ≠ 0` share.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Centred {
     pub(super) t: Rational,
     pub(super) g0: Vector,

@@ -5,6 +5,7 @@ use num_traits::{Signed, Zero};
 use super::{Cubic, Vector, is_zero};
 use crate::affine::{Interval, Place};
 use crate::exact::{Rational, Surd};
+use crate::name::display_by_name;
 
 /// What a straight parametrization runs through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -28,6 +29,8 @@ impl Image {
         }
     }
 }
+
+display_by_name!(Image);
 
 /// A straight curve: `F(t) = F(0) + p(t) · direction` with a polynomial `p`
 /// that has no constant term and leading coefficient 1.

@@ -4,6 +4,7 @@ use num_traits::{Signed, Zero};
 
 use super::ImplicitCurve;
 use crate::exact::Rational;
+use crate::name::display_by_name;
 
 /// The affine type of `A x² + B x y + C y² + D x + E y + F = 0`, not all of
 /// `A`, `B`, `C` zero.
@@ -85,6 +86,8 @@ impl ConicType {
         })
     }
 }
+
+display_by_name!(ConicType);
 
 impl ImplicitCurve {
     /// The type of the conic; `None` for a curve of another degree.

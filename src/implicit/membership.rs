@@ -10,7 +10,7 @@ use crate::exact::univariate::IntegerPolynomial;
 use crate::roots::RealRoots;
 
 /// The real parameters of a point of space.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Parameters {
     /// The curve is this one point.
     All,

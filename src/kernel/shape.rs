@@ -118,6 +118,8 @@ impl PartialEq for Factors {
     }
 }
 
+impl Eq for Factors {}
+
 impl fmt::Debug for Factors {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self[..].fmt(f)
@@ -125,7 +127,7 @@ impl fmt::Debug for Factors {
 }
 
 /// The layout of a net: simplices, then the coordinates of a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
     pub(crate) factors: Factors,
     /// The number of coordinates of a point.

@@ -3,6 +3,7 @@
 use num_traits::{Signed, Zero};
 
 use crate::exact::Rational;
+use crate::name::display_by_name;
 
 /// What a polynomial surface is, as a set of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -105,6 +106,8 @@ impl QuadricClass {
         }
     }
 }
+
+display_by_name!(QuadricClass);
 
 /// The rank of a symmetric matrix, and how many more of its squares have one
 /// sign than the other, by congruences (symmetric elimination).

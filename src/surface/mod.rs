@@ -36,7 +36,7 @@ pub type Term<C = Rational> = (usize, usize, C);
 /// assert!(patch.surface()?.same_map(&enneper));
 /// # Ok::<(), casteljau::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Surface<C = Rational> {
     pub(super) reading: Reading,
     pub(super) dimension: usize,

@@ -14,7 +14,7 @@ use crate::symbolic::{Polynomial, Symbol};
 use super::Finding;
 
 /// One argument or one part of an answer.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value<C = Rational> {
     /// Yes or no.
     Truth(bool),
@@ -89,7 +89,7 @@ pub enum Value<C = Rational> {
 }
 
 /// A homogenized polynomial: terms with an exponent for every letter.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Homogeneous<C = Rational> {
     /// The letters, each weight before what it belongs to.
     pub letters: &'static [char],
@@ -101,7 +101,7 @@ pub struct Homogeneous<C = Rational> {
 pub type LabelledRow<C = Rational> = Vec<(String, Vec<C>)>;
 
 /// Points with their polar labels, row by row in each of several layers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layers<C = Rational> {
     /// What a layer is called: "step", "layer".
     pub name: &'static str,
@@ -112,7 +112,7 @@ pub struct Layers<C = Rational> {
 }
 
 /// What an operation found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Answer<C = Rational> {
     /// The parts, in the order they are printed.
     pub fields: Vec<(&'static str, Value<C>)>,

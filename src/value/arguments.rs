@@ -9,7 +9,7 @@ use crate::symbolic::{Polynomial, Symbol};
 
 /// The arguments of one operation. The adaptor that filled them has seen to it
 /// that required ones are there and that each has the kind its row asks for.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Arguments<C = Rational> {
     pub(super) domain: Domain,
     pub(super) values: Vec<(&'static str, Value<C>)>,

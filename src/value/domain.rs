@@ -2,6 +2,7 @@
 
 use crate::affine::{Frame, Interval, Rectangle, Triangle};
 use crate::kernel::coefficient::Coefficient;
+use crate::name::display_by_name;
 
 /// What kind of shape an operation is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -36,3 +37,5 @@ impl Domain {
         }
     }
 }
+
+display_by_name!(Domain);

@@ -18,7 +18,7 @@ use crate::spline::{KnotJoin, Spline};
 use crate::tangent::TangentPlaneJoin;
 
 /// A finding that has a text of its own.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Finding {
     /// The class of a planar cubic.
     Cubic(Box<CubicFinding>),
@@ -37,7 +37,7 @@ pub enum Finding {
 }
 
 /// What is known of a planar cubic.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CubicFinding {
     /// The cubic.
     pub cubic: Cubic,
@@ -56,7 +56,7 @@ pub struct CubicFinding {
 }
 
 /// What is known of a plane curve as a set of points.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ImplicitFinding {
     /// The curve.
     pub curve: Curve,
@@ -73,7 +73,7 @@ pub struct ImplicitFinding {
 }
 
 /// What is known of the join of two pieces.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JoinFinding {
     /// Where they meet.
     pub meeting: Meeting,
@@ -96,7 +96,7 @@ pub struct JoinFinding {
 }
 
 /// The geometric continuity of a join.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Contact {
     /// Of curves.
     Curves(GeometricJoin),
@@ -118,7 +118,7 @@ impl Contact {
 }
 
 /// A piece that was changed so that it joins another one.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RepairFinding {
     /// The piece as it was.
     pub before: Piece,
@@ -131,7 +131,7 @@ pub struct RepairFinding {
 }
 
 /// What is known of a spline.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SplineFinding {
     /// The spline.
     pub spline: Spline,
