@@ -99,6 +99,12 @@ impl<C: Coefficient> Curve<C> {
         (1..=self.degree).rev().find(|&power| self.vector(power).iter().any(|c| !c.is_nothing())).unwrap_or(0)
     }
 
+    /// Whether all coordinates vanish identically.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        self.coefficients.iter().all(C::is_nothing)
+    }
+
     /// The vector `F_k` of the coefficients of `t^k`.
     ///
     /// # Panics

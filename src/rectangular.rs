@@ -77,6 +77,8 @@ pub struct RectangularReduction<C = Rational> {
     pub true_degree: (usize, usize),
     /// The largest total degree of the coordinates.
     pub total_degree: usize,
+    /// Whether all coordinates vanish identically.
+    pub zero: bool,
     /// The same map with the true bidegree as its bidegree.
     pub patch: RectangularPatch<C>,
 }
@@ -159,6 +161,12 @@ impl<C: Coefficient> RectangularPatch<C> {
             Axis::U => self.frame.u(),
             Axis::V => self.frame.v(),
         }
+    }
+
+    /// The coordinates of all control points, point by point.
+    #[must_use]
+    pub fn coordinates(&self) -> &[C] {
+        &self.net.coordinates
     }
 
     /// The control point `b_ij`.
@@ -374,7 +382,7 @@ impl<C: Coefficient> RectangularPatch<C> {
         let (p, q) = surface.true_bidegree();
         let patch =
             if (p, q) == self.degree() { self.clone() } else { surface.read_as(Reading::Bidegree(p, q))?.over_rectangle(&self.frame)? };
-        Ok(RectangularReduction { true_degree: (p, q), total_degree: surface.true_total_degree(), patch })
+        Ok(RectangularReduction { true_degree: (p, q), total_degree: surface.true_total_degree(), zero: surface.is_zero(), patch })
     }
 
     /// The partial derivative in one parameter, a patch of vectors over the
@@ -405,6 +413,15 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// [`Error::WrongCount`] if the map takes points of another dimension.
     pub fn transform(&self, map: &AffineMap<C>) -> Result<Self, Error> {
         Ok(Self { net: self.net.transform(map)?, frame: self.frame.clone() })
+    }
+
+    /// Whether two patches are pieces of the same polynomial map, whatever
+    /// their frames and bidegrees.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the length of a frame is symbolic.
+    pub fn same_map(&self, other: &Self) -> Result<bool, Error> {
+        Ok(self.surface()?.same_map(&other.surface()?))
     }
 
     /// The net with its points in another order: entry `(i, j)` is the point

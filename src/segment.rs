@@ -277,7 +277,7 @@ impl<C: Coefficient> Segment<C> {
         let true_degree = curve.true_degree();
         Ok(Reduction {
             true_degree,
-            zero: true_degree == 0 && curve.vector(0).iter().all(C::is_nothing),
+            zero: curve.is_zero(),
             segment: Self { net: self.net.with_degree(0, true_degree), frame: self.frame.clone() },
         })
     }

@@ -147,6 +147,12 @@ impl<C: Coefficient> TriangularPatch<C> {
         &self.frame
     }
 
+    /// The coordinates of all control points, point by point.
+    #[must_use]
+    pub fn coordinates(&self) -> &[C] {
+        &self.net.coordinates
+    }
+
     /// The control point `b_ijk`, `k = m - i - j`.
     ///
     /// # Panics
@@ -387,6 +393,15 @@ impl<C: Coefficient> TriangularPatch<C> {
     /// [`Error::WrongCount`] if the map takes points of another dimension.
     pub fn transform(&self, map: &AffineMap<C>) -> Result<Self, Error> {
         Ok(Self { net: self.net.transform(map)?, frame: self.frame.clone() })
+    }
+
+    /// Whether two patches are pieces of the same polynomial map, whatever
+    /// their frames and degrees.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] if the area of a frame is symbolic.
+    pub fn same_map(&self, other: &Self) -> Result<bool, Error> {
+        Ok(self.surface()?.same_map(&other.surface()?))
     }
 }
 

@@ -311,16 +311,17 @@ proptest! {
     #[test]
     fn degrees_rise_and_fall(patch in triangular_patch(3), rectangle in rectangular_patch(3), by in 0usize..3) {
         let raised = patch.elevate(by).expect("small");
-        prop_assert!(raised.surface().expect("numbers").same_map(&patch.surface().expect("numbers")));
+        prop_assert!(raised.same_map(&patch).expect("numbers"));
         let reduced = raised.reduce().expect("numbers");
         prop_assert_eq!(reduced.true_degree, patch.surface().expect("numbers").true_total_degree());
         prop_assert_eq!(&reduced.patch.elevate(raised.degree() - reduced.true_degree).expect("small"), &raised);
         let raised = rectangle.elevate(by, 2 - by).expect("small");
-        prop_assert!(raised.surface().expect("numbers").same_map(&rectangle.surface().expect("numbers")));
+        prop_assert!(raised.same_map(&rectangle).expect("numbers"));
         let reduced = raised.reduce().expect("numbers");
         prop_assert_eq!(reduced.true_degree, rectangle.surface().expect("numbers").true_bidegree());
         prop_assert!(reduced.total_degree <= reduced.true_degree.0 + reduced.true_degree.1);
-        prop_assert!(reduced.patch.surface().expect("numbers").same_map(&raised.surface().expect("numbers")));
+        prop_assert!(reduced.patch.same_map(&raised).expect("numbers"));
+        prop_assert_eq!(reduced.zero, rectangle.coordinates().iter().all(|x| *x == Rational::from(0)));
     }
 
     #[test]
@@ -621,4 +622,17 @@ fn subdivisions_of_surfaces_have_limits() {
     assert_eq!(triangle(15).subdivide(most), Err(long.clone()));
     assert_eq!(rectangle(3, 2).subdivide(most), Err(long));
     assert_eq!(rectangle(3, 2).subdivide(2).map(|pieces| pieces.len()), Ok(16));
+}
+
+/// What consists of numbers is equal to itself, and kinds are written by their names.
+#[test]
+fn nouns_are_eq_and_kinds_have_names() {
+    fn is_eq<T: Eq>() {}
+    is_eq::<(casteljau::Curve, casteljau::Segment, Surface, TriangularPatch, RectangularPatch, Piece)>();
+    is_eq::<(Interval, Triangle, Rectangle, casteljau::Frame, Parameter, PlaneParameter, AffineMap)>();
+    is_eq::<(casteljau::Spline, Mesh, casteljau::Joint, casteljau::PolarForm, Bernstein, casteljau::Cubic)>();
+    for symmetry in Symmetry::ALL {
+        assert_eq!(symmetry.to_string(), symmetry.name());
+    }
+    assert_eq!(format!("[{:>10}]", casteljau::Directions::Same), "[      same]");
 }

@@ -3,11 +3,12 @@
 use std::fmt;
 
 use super::{Interval, Rectangle, Triangle};
+use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
 
 /// A frame of the parameter line or plane.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Frame<C> {
+pub enum Frame<C = Rational> {
     /// `r..s`, for curves.
     Interval(Interval<C>),
     /// Three vertices, for triangular patches.
