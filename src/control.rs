@@ -20,6 +20,14 @@ pub(crate) const MAX_STEPS: usize = 1 << 25;
 /// The most rounds of subdivision of a patch that are carried out at once.
 pub(crate) const MAX_PATCH_DEPTH: usize = 10;
 
+/// How many numbers stand in a shape that may be too large to be made.
+pub(crate) fn count(shape: &Shape) -> usize {
+    shape.factors.iter().fold(shape.stride, |numbers, factor| {
+        let entries = (1..=factor.dimension).fold(1usize, |entries, k| entries.saturating_mul(factor.degree.saturating_add(k)) / k);
+        numbers.saturating_mul(entries)
+    })
+}
+
 /// The control points of a map, point by point in the order of the shape.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ControlNet<C> {
@@ -237,7 +245,7 @@ impl<C: Coefficient> ControlNet<C> {
         }
         // Every round doubles the pieces in each dimension of the parameters.
         let dimension: usize = self.shape.factors.iter().map(|factor| factor.dimension).sum();
-        let pieces = (0..depth * dimension).fold(1usize, |pieces, _| pieces.saturating_mul(2));
+        let pieces = (0..dimension).fold(1usize, |pieces, _| pieces.saturating_mul(1 << depth));
         let steps = self.coordinates.len().saturating_mul(pieces).saturating_mul(self.total_degree() + 1);
         if steps > MAX_STEPS {
             return Err(Error::TooLarge { what: "subdivision, counted in steps,", limit: MAX_STEPS });
@@ -255,20 +263,17 @@ impl<C: Coefficient> ControlNet<C> {
         if by.iter().all(|&more| more == 0) {
             return Ok(self.clone());
         }
-        let (mut numbers, mut total) = (self.dimension(), 1usize);
-        for (factor, &more) in self.shape.factors.iter().zip(by) {
-            let degree = factor.degree.saturating_add(more);
-            total = total.saturating_add(degree);
-            // The binomial number of the entries, as far as it matters.
-            let entries = (1..=factor.dimension).fold(1, |count: usize, k| count.saturating_mul(degree.saturating_add(k)) / k);
-            numbers = numbers.saturating_mul(entries);
+        let (mut shape, mut levels) = (self.shape, 1usize);
+        for (factor, &more) in shape.factors.iter_mut().zip(by) {
+            factor.degree = factor.degree.saturating_add(more);
+            levels = levels.saturating_add(factor.degree);
         }
-        if numbers.saturating_mul(total) > MAX_STEPS {
+        if count(&shape).saturating_mul(levels) > MAX_STEPS {
             return Err(Error::TooLarge { what: "elevation, counted in steps,", limit: MAX_STEPS });
         }
         let mut net = Cow::Borrowed(self);
-        for (factor, &more) in by.iter().enumerate().filter(|(_, more)| **more > 0) {
-            net = Cow::Owned(net.with_degree(factor, self.shape.factors[factor].degree + more));
+        for (factor, _) in by.iter().enumerate().filter(|(_, more)| **more > 0) {
+            net = Cow::Owned(net.with_degree(factor, shape.factors[factor].degree));
         }
         Ok(net.into_owned())
     }

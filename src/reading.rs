@@ -1,5 +1,6 @@
 //! The ways in which a polynomial is polarized.
 
+use crate::control::count;
 use crate::error::Error;
 use crate::kernel::shape::{Factors, Shape};
 use crate::symbolic::{Monomial, Symbol};
@@ -34,12 +35,11 @@ impl Reading {
     /// # Errors
     /// [`Error::TooLarge`] above [`MAX_COEFFICIENTS`].
     pub(crate) fn check_size(self, dimension: usize) -> Result<(), Error> {
-        let (what, count) = match self {
-            Self::Curve(m) => ("curve, counted in coefficients,", m.saturating_add(1)),
-            Self::Total(m) => ("surface, counted in coefficients,", m.saturating_add(1).saturating_mul(m.saturating_add(2)) / 2),
-            Self::Bidegree(p, q) => ("surface, counted in coefficients,", p.saturating_add(1).saturating_mul(q.saturating_add(1))),
-        };
-        if count.saturating_mul(dimension) > MAX_COEFFICIENTS {
+        if count(&self.shape(dimension)) > MAX_COEFFICIENTS {
+            let what = match self {
+                Self::Curve(_) => "curve, counted in coefficients,",
+                Self::Total(_) | Self::Bidegree(..) => "surface, counted in coefficients,",
+            };
             return Err(Error::TooLarge { what, limit: MAX_COEFFICIENTS });
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use crate::affine::{AffineMap, Interval, Parameter, Rectangle, Weights};
 use crate::bilinear::{CommonSteps, TwoSteps};
-use crate::control::{ControlNet, MAX_PATCH_DEPTH, MAX_STEPS};
+use crate::control::{ControlNet, MAX_PATCH_DEPTH, MAX_STEPS, count};
 use crate::error::Error;
 use crate::exact::Rational;
 use crate::kernel::coefficient::Coefficient;
@@ -122,7 +122,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     /// [`Error::WrongCount`] unless there are `(p+1)(q+1)` points;
     /// [`Error::WrongShape`] if they are not all of one dimension.
     pub fn from_points((p, q): (usize, usize), points: Vec<Vec<C>>, frame: Rectangle<C>) -> Result<Self, Error> {
-        let expected = p.saturating_add(1).saturating_mul(q.saturating_add(1));
+        let expected = count(&Shape::rectangle(p, q, 1));
         if points.len() != expected {
             return Err(Error::WrongCount { what: "control points", expected, found: points.len() });
         }
