@@ -20,7 +20,7 @@ use crate::scheme::remaining;
 /// let rows = [[0, 4], [8, 0]].map(|row| row.map(|z| vec![Rational::from(z)]).to_vec()).to_vec();
 /// let patch = RectangularPatch::from_rows(rows, Rectangle::unit())?;
 /// let half = Rational::new(1, 2);
-/// let steps = patch.two_steps(&half, &half, Axis::U)?;
+/// let steps = patch.two_steps(&[half.clone(), half.clone()], Axis::U)?;
 /// assert_eq!(steps.nets()[1].point(0, 1), [Rational::from(2)]);
 /// assert_eq!(steps.label(1, 0, 1), "f(u;s2)");
 /// assert_eq!(steps.point(), [Rational::from(3)]);
@@ -36,7 +36,7 @@ pub struct TwoSteps<C = Rational> {
 }
 
 impl<C: Coefficient> TwoSteps<C> {
-    pub(crate) fn of(patch: &RectangularPatch<C>, u: &C, v: &C, first: Axis) -> Result<Self, Error> {
+    pub(crate) fn of(patch: &RectangularPatch<C>, [u, v]: &[C; 2], first: Axis) -> Result<Self, Error> {
         let (p, q) = patch.degree();
         let (along, across) = if first == Axis::U { (u, v) } else { (v, u) };
         let (own, other) = if first == Axis::U { (p, q) } else { (q, p) };
@@ -129,7 +129,7 @@ impl<C: Coefficient> TwoSteps<C> {
 /// let rows = [[0, 4], [8, 0]].map(|row| row.map(|z| vec![Rational::from(z)]).to_vec()).to_vec();
 /// let patch = RectangularPatch::from_rows(rows, Rectangle::unit())?;
 /// let half = Rational::new(1, 2);
-/// let steps = patch.common_steps(&half, &half)?;
+/// let steps = patch.common_steps(&[half.clone(), half.clone()])?;
 /// assert_eq!(steps.point(), [Rational::from(3)]);
 /// # Ok::<(), casteljau::Error>(())
 /// ```
@@ -141,7 +141,7 @@ pub struct CommonSteps<C = Rational> {
 }
 
 impl<C: Coefficient> CommonSteps<C> {
-    pub(crate) fn of(patch: &RectangularPatch<C>, u: &C, v: &C) -> Result<Self, Error> {
+    pub(crate) fn of(patch: &RectangularPatch<C>, [u, v]: &[C; 2]) -> Result<Self, Error> {
         let (p, q) = patch.degree();
         let steps = p.min(q);
         let weights: [Weights<C>; 2] = [patch.argument(Axis::U, u)?, patch.argument(Axis::V, v)?];

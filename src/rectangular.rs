@@ -24,7 +24,7 @@ use crate::surface::Surface;
 /// let rows = [[0, 1], [2, 7]].map(|row| row.map(|z| vec![Rational::from(z)]).to_vec()).to_vec();
 /// let patch = RectangularPatch::from_rows(rows, Rectangle::unit())?;
 /// let half = Rational::new(1, 2);
-/// assert_eq!(patch.value(&half, &half)?, [Rational::new(5, 2)]);
+/// assert_eq!(patch.value(&[half.clone(), half.clone()])?, [Rational::new(5, 2)]);
 /// assert_eq!(patch.label(1, 0), "f(s1;r2)");
 /// # Ok::<(), casteljau::Error>(())
 /// ```
@@ -243,7 +243,7 @@ impl<C: Coefficient> RectangularPatch<C> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the length of a frame is symbolic.
-    pub fn value(&self, u: &C, v: &C) -> Result<Vec<C>, Error> {
+    pub fn value(&self, [u, v]: &[C; 2]) -> Result<Vec<C>, Error> {
         let (p, q) = self.degree();
         self.blossom(&vec![Parameter::from(u.clone()); p], &vec![Parameter::from(v.clone()); q])
     }
@@ -253,8 +253,8 @@ impl<C: Coefficient> RectangularPatch<C> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the length of a frame is symbolic.
-    pub fn two_steps(&self, u: &C, v: &C, first: Axis) -> Result<TwoSteps<C>, Error> {
-        TwoSteps::of(self, u, v, first)
+    pub fn two_steps(&self, at: &[C; 2], first: Axis) -> Result<TwoSteps<C>, Error> {
+        TwoSteps::of(self, at, first)
     }
 
     /// De Casteljau's algorithm in both parameters at once, by bilinear
@@ -263,8 +263,8 @@ impl<C: Coefficient> RectangularPatch<C> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the length of a frame is symbolic.
-    pub fn common_steps(&self, u: &C, v: &C) -> Result<CommonSteps<C>, Error> {
-        CommonSteps::of(self, u, v)
+    pub fn common_steps(&self, at: &[C; 2]) -> Result<CommonSteps<C>, Error> {
+        CommonSteps::of(self, at)
     }
 
     pub(crate) fn argument(&self, axis: Axis, at: &C) -> Result<Weights<C>, Error> {
@@ -297,14 +297,14 @@ impl<C: Coefficient> RectangularPatch<C> {
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the length of a frame is symbolic.
-    pub fn split(&self, u: &C, v: &C) -> Result<Quartering<C>, Error> {
-        let quarters = self.split_axis(Axis::U, u)?.map(|half| match half {
-            Some(half) => half.split_axis(Axis::V, v),
+    pub fn split(&self, at: &[C; 2]) -> Result<Quartering<C>, Error> {
+        let quarters = self.split_axis(Axis::U, &at[0])?.map(|half| match half {
+            Some(half) => half.split_axis(Axis::V, &at[1]),
             None => Ok([None, None]),
         });
         let [lower, upper] = quarters;
         let ([ll, lr], [rl, rr]) = (lower?, upper?);
-        Ok(Quartering { point: self.value(u, v)?, ll, rl, lr, rr })
+        Ok(Quartering { point: self.value(at)?, ll, rl, lr, rr })
     }
 
     /// The nets of `depth` rounds of subdivision in the middle of both frames,

@@ -269,7 +269,7 @@ fn rational_points_are_homogeneous() {
         let half = Rational::new(1, 2);
         let value = match &part.piece {
             Piece::Curve(curve) => curve.value(&half),
-            Piece::Rectangle(patch) => patch.value(&half, &half),
+            Piece::Rectangle(patch) => patch.value(&[half.clone(), half.clone()]),
             Piece::Triangle(_) => unreachable!("no triangle in these files"),
         }
         .expect("a point");

@@ -198,12 +198,12 @@ proptest! {
         prop_assert_eq!(&patch.surface().expect("a surface"), &surface);
         let expected = oracle::surface_value(&terms, &u, &v);
         prop_assert_eq!(&surface.value(&[u.clone(), v.clone()]), &expected);
-        prop_assert_eq!(&patch.value(&u, &v).expect("a value"), &expected);
+        prop_assert_eq!(&patch.value(&[u.clone(), v.clone()]).expect("a value"), &expected);
         for first in [Axis::U, Axis::V] {
-            let steps = patch.two_steps(&u, &v, first).expect("numbers");
+            let steps = patch.two_steps(&[u.clone(), v.clone()], first).expect("numbers");
             prop_assert_eq!(steps.point(), &expected);
         }
-        let common = patch.common_steps(&u, &v).expect("numbers");
+        let common = patch.common_steps(&[u.clone(), v.clone()]).expect("numbers");
         prop_assert_eq!(common.point(), &expected);
         let basis = Bernstein::rectangle(patch.degree(), frame.clone()).values(&[u.clone(), v.clone()]).expect("two parameters");
         let combined: Vec<Rational> = (0..patch.dimension()).map(|c| patch.points().zip(&basis).map(|(point, b)| &point[c] * b).sum()).collect();
@@ -231,7 +231,7 @@ proptest! {
         let (p, q) = patch.degree();
         let (ru, su, rv, sv) = (patch.frame().u().r(), patch.frame().u().s(), patch.frame().v().r(), patch.frame().v().s());
         let list = |parts: [(&Rational, usize); 3]| parts.iter().flat_map(|(t, times)| std::iter::repeat_n(Parameter::from((*t).clone()), *times)).collect::<Vec<_>>();
-        let common = patch.common_steps(&u, &v).expect("numbers");
+        let common = patch.common_steps(&[u.clone(), v.clone()]).expect("numbers");
         for net in common.nets() {
             let (left, below) = net.degree();
             for i in 0..=left {
@@ -242,7 +242,7 @@ proptest! {
                 }
             }
         }
-        let two = patch.two_steps(&u, &v, Axis::V).expect("numbers");
+        let two = patch.two_steps(&[u.clone(), v.clone()], Axis::V).expect("numbers");
         for (l, net) in two.nets().iter().enumerate() {
             for i in 0..=p {
                 for j in 0..=q - l {
@@ -285,7 +285,7 @@ proptest! {
     #[test]
     fn parts_of_a_rectangle_are_the_same_map(patch in rectangular_patch(3), at in place(), on_edge: bool) {
         let u = if on_edge { patch.frame().u().r().clone() } else { at[0].clone() };
-        let parts = patch.split(&u, &at[1]).expect("numbers");
+        let parts = patch.split(&[u.clone(), at[1].clone()]).expect("numbers");
         let surface = patch.surface().expect("numbers");
         for part in [&parts.ll, &parts.rl, &parts.lr, &parts.rr].into_iter().flatten() {
             prop_assert_eq!(part, &patch.reframe(part.frame()).expect("numbers"));
@@ -335,7 +335,7 @@ proptest! {
         let patch = surface.over_triangle(&frame).expect("a patch").derivative(&direction).expect("numbers");
         prop_assert_eq!(&patch.value(&at).expect("numbers"), &expected);
         let rectangle = surface.over_rectangle(&Rectangle::unit()).expect("a patch");
-        let [in_u, in_v] = [Axis::U, Axis::V].map(|axis| rectangle.partial(axis).expect("numbers").value(&at[0], &at[1]).expect("numbers"));
+        let [in_u, in_v] = [Axis::U, Axis::V].map(|axis| rectangle.partial(axis).expect("numbers").value(&at).expect("numbers"));
         let combined: Vec<Rational> = in_u.iter().zip(&in_v).map(|(a, b)| a * &direction[0] + b * &direction[1]).collect();
         prop_assert_eq!(combined, expected);
     }
@@ -374,7 +374,7 @@ proptest! {
         prop_assert_eq!(&product.value(&at).expect("numbers"), &expected);
         let square = Rectangle::unit();
         let product = a.over_rectangle(&square).expect("a patch").product(&b.over_rectangle(&square).expect("a patch")).expect("one frame");
-        prop_assert_eq!(product.value(&at[0], &at[1]).expect("numbers"), expected);
+        prop_assert_eq!(product.value(&at).expect("numbers"), expected);
     }
 
     #[test]
@@ -406,7 +406,7 @@ proptest! {
                 Symmetry::QuarterTurnBack => (v.clone(), back_u),
                 Symmetry::AntiTranspose => (back_v, back_u),
             };
-            prop_assert_eq!(moved.value(&u, &v).expect("numbers"), unit.value(&at.0, &at.1).expect("numbers"), "{:?}", symmetry);
+            prop_assert_eq!(moved.value(&[u.clone(), v.clone()]).expect("numbers"), unit.value(&[at.0, at.1]).expect("numbers"), "{:?}", symmetry);
             prop_assert_eq!(unit.is_invariant(symmetry), moved == unit);
         }
     }
@@ -435,7 +435,7 @@ proptest! {
         let expected: Option<Vec<Rational>> = (weight != Rational::from(0)).then(|| {
             (0..patch.dimension()).map(|c| patch.points().zip(&basis).zip(&weights).map(|((point, b), w)| &point[c] * b * w).sum::<Rational>() / &weight).collect()
         });
-        prop_assert_eq!(projected(&rational.value(&u, &v).expect("numbers")), expected);
+        prop_assert_eq!(projected(&rational.value(&[u.clone(), v.clone()]).expect("numbers")), expected);
     }
 
     #[test]
@@ -446,9 +446,9 @@ proptest! {
         let n = patch.dimension();
         let map = AffineMap::new((0..3).map(|row| entries[3 * row..3 * row + n].to_vec()).collect(), entries[9..].to_vec()).expect("a map");
         let image = rational.transform(&map.homogeneous()).expect("one dimension more");
-        let point = projected(&rational.value(&u, &v).expect("numbers"));
+        let point = projected(&rational.value(&[u.clone(), v.clone()]).expect("numbers"));
         let expected = point.map(|point| map.apply(&point).expect("the dimension"));
-        prop_assert_eq!(projected(&image.value(&u, &v).expect("numbers")), expected);
+        prop_assert_eq!(projected(&image.value(&[u.clone(), v.clone()]).expect("numbers")), expected);
     }
 
     /// Weights that are products of weights of the vertices only move the
@@ -481,7 +481,7 @@ proptest! {
         if rectangle.dimension() == 1 {
             let mesh = Mesh::of(&Piece::Rectangle(rectangle.clone()), false, depth).expect("small");
             for [x, y, z] in mesh.vertices() {
-                prop_assert_eq!(&rectangle.value(x, y).expect("numbers")[0], z);
+                prop_assert_eq!(&rectangle.value(&[x.clone(), y.clone()]).expect("numbers")[0], z);
             }
         }
     }
@@ -495,9 +495,9 @@ fn all_forms_agree_on_every_bicubic_patch() {
     let points = (0..16).map(|index| vec![symbol('p', index)]).collect();
     let patch = RectangularPatch::from_points((3, 3), points, Rectangle::unit()).expect("a patch");
     let [u, v] = ['u', 'v'].map(|letter| Polynomial::from(Symbol::new(letter, None)));
-    let by_u = patch.two_steps(&u, &v, Axis::U).expect("a numeric frame");
-    let by_v = patch.two_steps(&u, &v, Axis::V).expect("a numeric frame");
-    let common = patch.common_steps(&u, &v).expect("a numeric frame");
+    let by_u = patch.two_steps(&[u.clone(), v.clone()], Axis::U).expect("a numeric frame");
+    let by_v = patch.two_steps(&[u.clone(), v.clone()], Axis::V).expect("a numeric frame");
+    let common = patch.common_steps(&[u.clone(), v.clone()]).expect("a numeric frame");
     assert_eq!(by_u.point(), by_v.point());
     assert_eq!(by_u.point(), common.point());
     // 16 products of Bernstein polynomials, none of which vanishes.
@@ -556,8 +556,8 @@ fn places_outside_of_a_patch_panic_as_documented() {
     let rectangle = RectangularPatch::from_points((1, 2), points(6), Rectangle::unit()).expect("six points");
     let half = Rational::new(1, 2);
     let scheme = triangle.scheme(&[half.clone(), half.clone()]).expect("numbers");
-    let [in_u, in_v] = [Axis::U, Axis::V].map(|axis| rectangle.two_steps(&half, &half, axis).expect("numbers"));
-    let common = rectangle.common_steps(&half, &half).expect("numbers");
+    let [in_u, in_v] = [Axis::U, Axis::V].map(|axis| rectangle.two_steps(&[half.clone(), half.clone()], axis).expect("numbers"));
+    let common = rectangle.common_steps(&[half.clone(), half.clone()]).expect("numbers");
     let messages = [
         oracle::panic_message(|| triangle.label(1, 2)),
         oracle::panic_message(|| triangle.point(usize::MAX, 1).to_vec()),

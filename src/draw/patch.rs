@@ -181,10 +181,10 @@ impl PatchPicture {
 
     /// The point that is marked.
     fn point(&self, piece: &Piece) -> Result<Option<Vec<Rational>>, Error> {
-        let Some([u, v]) = &self.parameter else { return Ok(None) };
+        let Some(at) = &self.parameter else { return Ok(None) };
         let value = match piece {
-            Piece::Triangle(patch) => patch.value(&[u.clone(), v.clone()])?,
-            Piece::Rectangle(patch) => patch.value(u, v)?,
+            Piece::Triangle(patch) => patch.value(at)?,
+            Piece::Rectangle(patch) => patch.value(at)?,
             Piece::Curve(_) => return Ok(None),
         };
         let value = if self.weighted { projected(&value) } else { Some(value) };

@@ -1,5 +1,6 @@
 //! Operations on rational pieces.
 
+use super::rectangle::place;
 use crate::error::Error;
 use crate::kernel::coefficient::Coefficient;
 use crate::value::{Answer, Arguments, Domain, Value};
@@ -15,8 +16,8 @@ pub(super) fn eval<C: Coefficient>(arguments: &Arguments<C>) -> Result<Answer<C>
         (Domain::Curve, None) => arguments.curve()?.value(arguments.number("t")?),
         (Domain::Triangle, Some(_)) => arguments.triangular()?.value(&arguments.parameter_point("a")?)?,
         (Domain::Triangle, None) => arguments.surface()?.value(&arguments.parameter_point("a")?),
-        (Domain::Rectangle, Some(_)) => arguments.rectangular()?.value(arguments.number("u")?, arguments.number("v")?)?,
-        (Domain::Rectangle, None) => arguments.surface()?.value(&[arguments.number("u")?.clone(), arguments.number("v")?.clone()]),
+        (Domain::Rectangle, Some(_)) => arguments.rectangular()?.value(&place(arguments)?)?,
+        (Domain::Rectangle, None) => arguments.surface()?.value(&place(arguments)?),
     };
     if let Some(weight) = homogeneous.last().filter(|weight| weight.as_rational().is_none()) {
         return Err(Error::Unsupported(format!("dividing by the weight {weight} needs a number: give the symbols in it values")));

@@ -34,11 +34,16 @@ pub(super) fn blossom<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
     Ok(Answer::new(vec![("value", Value::Point(arguments.surface()?.blossom_bidegree(us, vs)?))]))
 }
 
+/// The point of the parameter plane that is asked about.
+pub(super) fn place<C: Coefficient>(arguments: &Arguments<C>) -> Result<[C; 2], Error> {
+    Ok([arguments.number("u")?.clone(), arguments.number("v")?.clone()])
+}
+
 pub(super) fn eval<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let (u, v) = (arguments.number("u")?, arguments.number("v")?);
+    let at = place(arguments)?;
     let point = match arguments.get("points") {
-        Some(_) => arguments.rectangular()?.value(u, v)?,
-        None => arguments.surface()?.value(&[u.clone(), v.clone()]),
+        Some(_) => arguments.rectangular()?.value(&at)?,
+        None => arguments.surface()?.value(&at),
     };
     Ok(Answer::new(vec![("point", Value::Point(point))]))
 }
@@ -54,7 +59,7 @@ pub(super) fn two_step<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
         Ok(&"v") => Axis::V,
         _ => Axis::U,
     };
-    let steps = arguments.rectangular()?.two_steps(arguments.number("u")?, arguments.number("v")?, first)?;
+    let steps = arguments.rectangular()?.two_steps(&place(arguments)?, first)?;
     let nets = steps.nets().iter().enumerate().map(|(l, net)| labelled(net, |i, j| steps.label(l, i, j))).collect();
     let line = |(l, points): (usize, &Vec<Vec<C>>)| {
         vec![points.iter().enumerate().map(|(k, point)| (steps.second_label(l, k), point.clone())).collect()]
@@ -69,7 +74,7 @@ pub(super) fn two_step<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 }
 
 pub(super) fn one_step<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let steps = arguments.rectangular()?.common_steps(arguments.number("u")?, arguments.number("v")?)?;
+    let steps = arguments.rectangular()?.common_steps(&place(arguments)?)?;
     let nets = steps.nets().iter().enumerate().map(|(l, net)| labelled(net, |i, j| steps.label(l, i, j))).collect();
     Ok(Answer::new(vec![
         ("layers", Value::Layers(Layers { name: "step", layers: nets, in_rows: true })),
@@ -79,7 +84,7 @@ pub(super) fn one_step<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
 }
 
 pub(super) fn split<C: Coefficient>(arguments: &Arguments<C>) -> Outcome<C> {
-    let parts = arguments.rectangular()?.split(arguments.number("u")?, arguments.number("v")?)?;
+    let parts = arguments.rectangular()?.split(&place(arguments)?)?;
     let net = |patch: Option<RectangularPatch<C>>| patch.map_or(Value::Nothing, |patch| Value::Net(Piece::Rectangle(patch)));
     Ok(Answer::new(vec![
         ("point", Value::Point(parts.point)),
