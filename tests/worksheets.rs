@@ -411,3 +411,54 @@ fn strangers() {
         panic!("{error}");
     }
 }
+
+/// Short texts that ask for very much: each ends at a limit that says what to do.
+#[test]
+fn strangers_who_ask_for_much() {
+    let doubled = |first: &str, next: &dyn Fn(usize) -> String, count: usize| {
+        let lines = (1..count).map(|k| format!("A{} = {}\n", k + 1, next(k)));
+        format!("A1 = {first}\n{}", lines.collect::<String>())
+    };
+    let pairs = doubled("[1, 2]", &|k| format!("[A{k}, A{k}]"), 40);
+    let nested = doubled("[1]", &|k| format!("[A{k}]"), 8000);
+    let wide = format!("A = [1]\nB = [{}]", vec!["A"; 300_000].join(","));
+    let products = "(x + y + z + w + 1)^12 == 0\n".repeat(3000);
+    let long = "9".repeat(9_999);
+    let numbers = format!("{long} == {long}\n").repeat(250);
+    let held = (0..30).map(|k| format!("P{k} = (x + y + z + w)^{}\n", 60 + k % 3)).collect::<String>();
+    for (source, expected) in [
+        (&pairs, "found a list of more than 262144 numbers and terms, expected at most 262144 | write shorter lists"),
+        (&nested, "found lists nested more than 128 deep, expected at most 128 | write one list with all entries"),
+        (&wide, "found a list of more than 262144"),
+        (&products, "found statements above that take more than 40000000 steps together, and nothing is read from here on | split the worksheet"),
+        (&numbers, "found statements above that take more than 40000000 steps"),
+        (&held, "found definitions of more than 1048576 numbers and terms together, expected at most 1048576 | split the worksheet"),
+    ] {
+        let report = check(source, Format::Statements);
+        let claims = report.claims.iter().filter_map(|claim| claim.error.as_ref());
+        let shown = |error: &casteljau::syntax::SyntaxError| format!("{error} | {}", error.help.as_deref().unwrap_or_default());
+        let found: Vec<String> = report.errors.iter().chain(claims).map(shown).collect();
+        assert!(found.iter().any(|error| error.contains(expected)), "{:.60}\n  expected {expected}\n  found {:?}", source, found.first());
+    }
+}
+
+/// Entries of entries go as deep as lists do, and no further.
+#[test]
+fn long_rows_of_entries() {
+    let list = format!("{}7{}", "[".repeat(100), "]".repeat(100));
+    assert!(check(&format!("L = {list}\nL{} == 7", "[0]".repeat(100)), Format::Statements).holds());
+    for list in ["L", "[[1, 2]]", "(1, 2)"] {
+        let (line, found) = complaint(&format!("L = [[1, 2]]\nL == L\n{list}{} == 1", "[1]".repeat(8000)));
+        assert!(line == 3 && found.contains("found "), "{list}: {found}");
+    }
+    assert_eq!(complaint("L = [[1, 2]]\nL[0][1][0] == 1"), (2, "found a number, expected a list, a net or a point".into()));
+}
+
+/// What is long and yet honest passes.
+#[test]
+fn long_worksheets_hold() {
+    let claims = (0..4000).map(|k| format!("f({k}, {}, -1) == ({}, {})\n", k + 1, -k * k - k, 6 * k + 4));
+    let source = format!("F(t) = (t^3, 9 t + 4)\n{}", claims.collect::<String>());
+    let report = check(&source, Format::Statements);
+    assert!(report.holds() && report.claims.len() == 4000, "{:#?}", problems(&source, &report).first());
+}

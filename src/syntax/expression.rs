@@ -29,8 +29,9 @@ pub(crate) enum ExpressionKind {
     Tuple(Vec<Expression>),
     /// A list in square brackets. This and the following kinds occur in worksheets only.
     List(Vec<Expression>),
-    /// An entry of a list.
-    Entry(Box<Expression>, Box<Expression>),
+    /// An entry of a list, of a list in it, and so on: the list and the numbers behind it.
+    /// One row, so that a long one is no deep one.
+    Entry(Box<Expression>, Vec<Expression>),
     /// A point with its weight.
     Weighted(Box<Expression>, Box<Expression>),
     /// The name of a class, an order or another answer.
@@ -115,7 +116,8 @@ impl Expression {
         match &self.kind {
             ExpressionKind::Number(_) | ExpressionKind::Symbol(_) | ExpressionKind::Word(_) | ExpressionKind::Known(_) => Vec::new(),
             ExpressionKind::Sum(parts) | ExpressionKind::Product(parts) => parts.iter().map(|(_, part)| part).collect(),
-            ExpressionKind::Power(a, b) | ExpressionKind::Entry(a, b) | ExpressionKind::Weighted(a, b) => vec![a, b],
+            ExpressionKind::Power(a, b) | ExpressionKind::Weighted(a, b) => vec![a, b],
+            ExpressionKind::Entry(list, numbers) => std::iter::once(&**list).chain(numbers).collect(),
             ExpressionKind::Root(part) | ExpressionKind::Group(part) => vec![part],
             ExpressionKind::Tuple(parts) | ExpressionKind::List(parts) => parts.iter().collect(),
             ExpressionKind::Call(call) => match &call.arguments {
@@ -145,7 +147,10 @@ impl Expression {
             ExpressionKind::Sum(parts) => ExpressionKind::Sum(pairs(parts)),
             ExpressionKind::Product(parts) => ExpressionKind::Product(pairs(parts)),
             ExpressionKind::Power(a, b) => ExpressionKind::Power(Box::new(a.rewritten(rule)), Box::new(b.rewritten(rule))),
-            ExpressionKind::Entry(a, b) => ExpressionKind::Entry(Box::new(a.rewritten(rule)), Box::new(b.rewritten(rule))),
+            ExpressionKind::Entry(list, numbers) => {
+                let list = Box::new(list.rewritten(rule));
+                ExpressionKind::Entry(list, numbers.iter().map(|number| number.rewritten(rule)).collect())
+            }
             ExpressionKind::Weighted(a, b) => ExpressionKind::Weighted(Box::new(a.rewritten(rule)), Box::new(b.rewritten(rule))),
             ExpressionKind::Root(part) => ExpressionKind::Root(Box::new(part.rewritten(rule))),
             ExpressionKind::Group(part) => ExpressionKind::Group(Box::new(part.rewritten(rule))),

@@ -35,6 +35,12 @@ impl Budget {
         Self { left: MAX_WORK }
     }
 
+    /// How much was taken.
+    #[cfg(feature = "cli")]
+    pub(crate) fn spent(&self) -> u64 {
+        MAX_WORK - self.left
+    }
+
     /// Takes the cost of work that is about to be done.
     pub(crate) fn spend(&mut self, cost: u64, span: Span) -> Result<(), SyntaxError> {
         match self.left.checked_sub(cost) {

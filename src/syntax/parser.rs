@@ -329,7 +329,7 @@ impl<'a> Parser<'a> {
 
     fn power(&mut self) -> Result<Expression, SyntaxError> {
         let mut base = self.atom()?;
-        while self.vocabulary.is_some() && self.peek() == TokenKind::Open(Bracket::Square) && !self.token(0).blank_before {
+        if self.at_entry() {
             base = self.entry(base)?;
         }
         if !matches!(self.peek(), TokenKind::Power | TokenKind::Superscript) {
@@ -580,18 +580,28 @@ impl<'a> Parser<'a> {
         Ok(Expression { kind: ExpressionKind::List(items), span })
     }
 
-    /// An entry of a list: `[k]` behind it.
+    /// Whether the number of an entry is next: `[k]` right behind a list.
+    fn at_entry(&self) -> bool {
+        let open = self.token(0);
+        self.vocabulary.is_some() && open.kind == TokenKind::Open(Bracket::Square) && !open.blank_before
+    }
+
+    /// An entry of a list: `[k]` behind it, or several.
     fn entry(&mut self, list: Expression) -> Result<Expression, SyntaxError> {
-        self.advance();
-        let index = self.bracketed(|parser| {
-            let index = parser.expression()?;
-            if !matches!(parser.peek(), TokenKind::Close(_)) {
-                return Err(parser.expected("an operator or `]` behind the number of an entry"));
-            }
-            Ok(index)
-        })?;
-        let span = list.span.to(self.advance().span);
-        Ok(Expression { kind: ExpressionKind::Entry(Box::new(list), Box::new(index)), span })
+        let mut numbers = Vec::new();
+        let mut span = list.span;
+        while self.at_entry() {
+            self.advance();
+            numbers.push(self.bracketed(|parser| {
+                let number = parser.expression()?;
+                if !matches!(parser.peek(), TokenKind::Close(_)) {
+                    return Err(parser.expected("an operator or `]` behind the number of an entry"));
+                }
+                Ok(number)
+            })?);
+            span = span.to(self.advance().span);
+        }
+        Ok(Expression { kind: ExpressionKind::Entry(Box::new(list), numbers), span })
     }
 
     fn group_inside(&mut self, open: Token) -> Result<Expression, SyntaxError> {

@@ -11,6 +11,7 @@ use super::function;
 use super::quantity::Quantity;
 use super::report::{Outcome, Picture, Rendered, Report, Warning};
 use super::scope::{Component, Later, Scope};
+use super::size::{Ledger, MAX_WORKSHEET_WORK};
 use super::suggest::{misspelt_call, suggested};
 use super::typeset;
 use crate::symbolic::Symbol;
@@ -40,7 +41,7 @@ pub(super) fn check_for_rendering(source: &str, format: Format) -> Report {
 fn checked(source: &str, format: Format, renders: bool) -> Report {
     let document = Document::new(source, format);
     let mut checker =
-        Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source), diagnoses: 0, renders };
+        Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source), diagnoses: 0, ledger: Ledger::default(), is_over: false, renders };
     checker.report.errors = document.errors;
     checker.report.warnings = document.warnings.into_iter().map(|error| Warning { code: "W103", error }).collect();
     let parts: Vec<(String, Vec<Range<usize>>)> = document
@@ -65,6 +66,9 @@ fn checked(source: &str, format: Format, renders: bool) -> Report {
                 return checker.finish();
             }
             checker.part(block, text, range.clone());
+            if checker.is_over {
+                return checker.finish();
+            }
         }
     }
     checker.finish()
@@ -104,6 +108,10 @@ struct Checker<'s> {
     lines: LineTable,
     /// How many failed claims there were.
     diagnoses: usize,
+    /// What the statements above have used.
+    ledger: Ledger,
+    /// Whether they have used up what there is, and an error says so.
+    is_over: bool,
     /// Whether the worksheet is rendered too.
     renders: bool,
 }
@@ -205,6 +213,12 @@ impl Checker<'_> {
             let statement = parser.statement(formula, &is_defined).map_err(shift)?;
             let consumed = parser.token(0).span.start;
             let is_last = parser.at_end();
+            if statement.is_some() && self.ledger.is_spent() {
+                self.is_over = true;
+                let message =
+                    format!("found statements above that take more than {MAX_WORKSHEET_WORK} steps together, and nothing is read from here on");
+                return Err(shift(SyntaxError::new(Span::new(0, consumed), message).with_help("split the worksheet")));
+            }
             match statement {
                 None => return Ok(()),
                 Some(statement) if !waiting_letters(&self.scope, &bodies(&statement)).is_empty() => {
@@ -223,7 +237,9 @@ impl Checker<'_> {
                         self.report.errors.push(SyntaxError::new(name_span.unwrap_or_default(), message));
                         return Ok(());
                     }
-                    let values = definition::made(&self.scope, &mut parser, &definition).map_err(shift)?;
+                    let values = definition::made(&self.scope, &mut parser, &definition);
+                    self.ledger.worked(parser.budget.spent());
+                    let values = values.map_err(shift)?;
                     let latex = if self.renders { vec![typeset::definition(&definition, rest)] } else { Vec::new() };
                     self.define(&sub, &definition, values, formula, latex).map_err(shift)?;
                 }
@@ -235,6 +251,7 @@ impl Checker<'_> {
                         true => (typeset::claim(&claim, rest), picture_of(&self.scope, &mut parser, &claim)),
                         false => (Vec::new(), None),
                     };
+                    self.ledger.worked(parser.budget.spent());
                     self.record(&sub, &claim, name, (line, column), found, (latex, picture));
                 }
             }
@@ -299,6 +316,7 @@ impl Checker<'_> {
         let in_file = part.span(span);
         let value = match value {
             Made::Component(index, component) => {
+                self.ledger.hold(Quantity::Number(component.body.clone()).size(), span)?;
                 self.scope.insert_component(name.letter(), index, Component { span: in_file, ..component });
                 Quantity::List(Vec::new())
             }
@@ -309,6 +327,7 @@ impl Checker<'_> {
                     let error = SyntaxError::new(span, format!("found a map named `{name}`, expected a capital letter"));
                     return Err(error.with_help(format!("write `{upper}`; the small letter is then its polar form")));
                 }
+                self.ledger.hold(value.size(), span)?;
                 self.scope.insert(name, value.clone(), in_file);
                 value
             }

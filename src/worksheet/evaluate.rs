@@ -8,6 +8,7 @@ use super::function::{self, Operand, Operands};
 use super::quantity::{Map, Net, Point, Quantity};
 use super::request::Request;
 use super::scope::{Callee, Scope};
+use super::size::Growing;
 use super::slip::Slip;
 use crate::affine::{Parameter, PlaneParameter};
 use crate::error::Error;
@@ -50,9 +51,13 @@ impl Evaluator<'_> {
         match &expression.kind {
             ExpressionKind::Call(call) => self.call(parser, call, expression.span),
             ExpressionKind::List(items) => {
-                items.iter().map(|item| self.evaluate(parser, item)).collect::<Result<_, _>>().map(Quantity::List)
+                let mut list = Growing::default();
+                for item in items {
+                    list.push(self.evaluate(parser, item)?, item.span)?;
+                }
+                Ok(list.list())
             }
-            ExpressionKind::Entry(list, index) => self.entry(parser, list, index),
+            ExpressionKind::Entry(list, numbers) => self.entry(parser, list, numbers),
             ExpressionKind::Weighted(point, weight) => {
                 let coordinates = match self.evaluate(parser, point)? {
                     Quantity::Number(value) => vec![value],
@@ -69,7 +74,7 @@ impl Evaluator<'_> {
             ExpressionKind::Word(word) => Ok(Quantity::Word(word)),
             ExpressionKind::Group(inner) => self.evaluate(parser, inner),
             ExpressionKind::Symbol(symbol) => match self.lookup(*symbol, expression.span)? {
-                Some(value) => Ok(value.clone()),
+                Some(value) => copied(parser, value, expression.span),
                 None => Ok(Quantity::Number(Polynomial::from(*symbol))),
             },
             _ => {
@@ -169,26 +174,31 @@ impl Evaluator<'_> {
         count_of(&value).ok_or_else(|| SyntaxError::new(expression.span, "found no small whole number, expected one such as 3"))
     }
 
-    fn entry(&self, parser: &mut Parser<'_>, list: &Expression, index: &Expression) -> Outcome {
-        let value = self.evaluate(parser, list)?;
-        let place = self.count(parser, index)?;
-        let items = match value {
-            Quantity::List(items) => items,
-            Quantity::Point(point) => point.coordinates.into_iter().map(Quantity::Number).collect(),
-            Quantity::Net(net) => match net.list() {
-                Quantity::List(items) => items,
-                other => vec![other],
-            },
-            other => return Err(SyntaxError::new(list.span, format!("found {}, expected a list, a net or a point", other.kind()))),
+    fn entry(&self, parser: &mut Parser<'_>, list: &Expression, numbers: &[Expression]) -> Outcome {
+        let named = match list.kind {
+            ExpressionKind::Symbol(symbol) => self.lookup(symbol, list.span)?,
+            _ => None,
         };
-        let length = items.len();
-        items.into_iter().nth(place).ok_or_else(|| {
-            let message = match length {
-                0 => format!("found the entry {place} of an empty list"),
-                _ => format!("found the entry {place}, expected one from 0 to {}", length - 1),
+        // Of a list with a name only the entry is copied.
+        let mut value = match named {
+            Some(value) => Cow::Borrowed(value),
+            None => Cow::Owned(self.evaluate(parser, list)?),
+        };
+        let mut span = list.span;
+        for number in numbers {
+            let place = self.count(parser, number)?;
+            value = match value {
+                Cow::Borrowed(Quantity::List(items)) => Cow::Borrowed(items.get(place).ok_or_else(|| no_entry(place, items.len(), number))?),
+                Cow::Borrowed(value) => Cow::Owned(nth(copied(parser, value, span)?, place, span, number)?),
+                Cow::Owned(value) => Cow::Owned(nth(value, place, span, number)?),
             };
-            SyntaxError::new(index.span, message)
-        })
+            let closing = parser.source[number.span.end..].find(']').map_or(0, |length| length + 1);
+            span = span.to(Span::new(number.span.start, number.span.end + closing));
+        }
+        match value {
+            Cow::Borrowed(value) => copied(parser, value, span),
+            Cow::Owned(value) => Ok(value),
+        }
     }
 
     fn call(&self, parser: &mut Parser<'_>, call: &Call, span: Span) -> Outcome {
@@ -198,17 +208,22 @@ impl Evaluator<'_> {
                     return Err(SyntaxError::new(span, "found polar arguments, expected those of a function"));
                 };
                 let operands = self.operands(parser, arguments, function::own_words(name))?;
-                function::call(self, name, &Operands { list: &operands, name_span: call.name_span, span })
+                let value = function::call(self, name, &Operands { list: &operands, name_span: call.name_span, span })?;
+                parser.budget.spend(value.size(), span)?;
+                Ok(value)
             }
             Called::Name(symbol) => {
                 let callee =
                     self.scope.callee(symbol, true).ok_or_else(|| SyntaxError::new(call.name_span, format!("found `{symbol}` called")))?;
                 let shape = self.shape(callee, call.name_span)?;
-                match (&call.arguments, callee.named) {
+                parser.budget.spend(shape.size(), span)?;
+                let value = match (&call.arguments, callee.named) {
                     (Arguments::Plain(arguments), Named::Map) => self.point(parser, &shape, arguments, span),
                     (Arguments::Polar(groups), Named::PolarForm) => self.polar(parser, &shape, groups, span),
                     _ => Err(SyntaxError::new(span, "found arguments of another kind than the name takes")),
-                }
+                }?;
+                parser.budget.spend(value.size(), span)?;
+                Ok(value)
             }
         }
     }
@@ -293,6 +308,35 @@ impl Evaluator<'_> {
         }
         polar_value(shape, &evaluated, self.slip).map_err(at(span))
     }
+}
+
+/// The value of a name, as work that is counted: a short text may ask for a long value many times.
+fn copied(parser: &mut Parser<'_>, value: &Quantity, span: Span) -> Outcome {
+    parser.budget.spend(value.size(), span)?;
+    Ok(value.clone())
+}
+
+/// An entry of a list, a net or a point, which stands at a place.
+fn nth(value: Quantity, place: usize, span: Span, number: &Expression) -> Outcome {
+    let items = match value {
+        Quantity::List(items) => items,
+        Quantity::Point(point) => point.coordinates.into_iter().map(Quantity::Number).collect(),
+        Quantity::Net(net) => match net.list() {
+            Quantity::List(items) => items,
+            other => vec![other],
+        },
+        other => return Err(SyntaxError::new(span, format!("found {}, expected a list, a net or a point", other.kind()))),
+    };
+    let length = items.len();
+    items.into_iter().nth(place).ok_or_else(|| no_entry(place, length, number))
+}
+
+fn no_entry(place: usize, length: usize, number: &Expression) -> SyntaxError {
+    let message = match length {
+        0 => format!("found the entry {place} of an empty list"),
+        _ => format!("found the entry {place}, expected one from 0 to {}", length - 1),
+    };
+    SyntaxError::new(number.span, message)
 }
 
 /// A whole number from 0 to a million.

@@ -100,7 +100,10 @@ fn expression(made: &Expression, source: &str) -> String {
         ExpressionKind::Group(inner) => sized('(', &expression(inner, source), ')'),
         ExpressionKind::Tuple(items) => bracketed(&listed(items, source)),
         ExpressionKind::List(items) => list(items, source),
-        ExpressionKind::Entry(list, index) => format!("{}\\left[{}\\right]", expression(list, source), expression(index, source)),
+        ExpressionKind::Entry(list, numbers) => {
+            let numbers = numbers.iter().map(|number| format!("\\left[{}\\right]", expression(number, source)));
+            std::iter::once(expression(list, source)).chain(numbers).collect()
+        }
         ExpressionKind::Weighted(point, weight) => format!("{} : {}", expression(point, source), expression(weight, source)),
         ExpressionKind::Word(word) => format!("\\text{{{}}}", word.replace('_', " ")),
         ExpressionKind::Call(call) => called(call, source),
