@@ -41,7 +41,7 @@
 //! | `curve`, `surface`, `segment`, `triangular`, `rectangular`, `piece`, `weights`, `blossom`, `reading`, `control`, `scheme`, `tetrahedron`, `bilinear`, `bernstein`, `symmetry`, `hull`, `flatness`, `mesh`, `matrix`, `roots`, `algebraic`, `continuity`, `geometric`, `joint`, `meeting`, `quotient`, `repair`, `side`, `smoothness`, `spline`, `tangent` | the nouns |
 //! | `affine` | frames, homogeneous parameters, affine maps |
 //! | `kernel` | nets and forms over any ring, and the width of its integers |
-//! | [`syntax`] | the grammar and its printers |
+//! | [`syntax`] | the grammar and its printers, places and lines of texts |
 //! | `symbolic` | symbols, monomials, polynomials |
 //! | `exact` | rational numbers, numbers `a ± √d`, decimals, gcds, widths of integers |
 //! | `error`, `name` | what can be wrong with a request; what is written by its name |

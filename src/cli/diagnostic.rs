@@ -7,7 +7,8 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 
 use crate::error::Error;
 use crate::model::Fault;
-use crate::syntax::{Span, SyntaxError};
+use crate::report::Excerpt;
+use crate::syntax::{Lines, Span, SyntaxError};
 
 /// Why a command could not be carried out.
 pub(super) enum Problem {
@@ -43,18 +44,17 @@ impl Note {
 pub(super) fn rendered(
     level: Level<'static>,
     title: &str,
-    (path, text, span): (&str, &str, Span),
+    (path, lines, span): (&str, &Lines<'_>, Span),
     notes: &[Note],
     help: Option<&str>,
     styled: bool,
 ) -> String {
     let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
-    let window = Window::around(text, span.start, span.end);
-    let (line, _) = span.position(text);
-    let snippet = Snippet::source(window.text.as_str())
-        .line_start(line)
+    let excerpt = Excerpt::around(lines, span);
+    let snippet = Snippet::source(excerpt.text.as_str())
+        .line_start(excerpt.line)
         .path(path)
-        .annotation(AnnotationKind::Primary.span(window.start..window.end));
+        .annotation(AnnotationKind::Primary.span(excerpt.span.clone()));
     let mut group = level.primary_title(title).element(snippet);
     for note in notes {
         let level = if note.is_help { Level::HELP } else { Level::NOTE.no_name() };
@@ -97,12 +97,11 @@ impl Problem {
                 renderer.render(&groups)
             }
             Self::Syntax { name, text, error } => {
-                let window = Window::around(text, error.span.start, error.span.end);
-                let (line, _) = error.position(text);
-                let snippet = Snippet::source(window.text.as_str())
-                    .line_start(line)
+                let excerpt = Excerpt::around(&Lines::new(text), error.span);
+                let snippet = Snippet::source(excerpt.text.as_str())
+                    .line_start(excerpt.line)
                     .path(name.as_str())
-                    .annotation(AnnotationKind::Primary.span(window.start..window.end).label("here"));
+                    .annotation(AnnotationKind::Primary.span(excerpt.span.clone()).label("here"));
                 let message = error.to_string();
                 let mut groups = vec![Level::ERROR.primary_title(message.as_str()).element(snippet)];
                 groups.extend(error.help.as_deref().map(|help| Group::with_title(Level::HELP.secondary_title(help))));
@@ -129,38 +128,4 @@ impl From<Fault> for Problem {
     fn from(fault: Fault) -> Self {
         Self::plain(fault.message)
     }
-}
-
-/// The part of a source line that is worth showing.
-struct Window {
-    text: String,
-    start: usize,
-    end: usize,
-}
-
-impl Window {
-    fn around(text: &str, start: usize, end: usize) -> Self {
-        const REACH: usize = 60;
-        let start = floor_boundary(text, start.min(text.len()));
-        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
-        let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
-        let end = floor_boundary(text, end.clamp(start, line_end));
-        let first = floor_boundary(text, start.saturating_sub(REACH).max(line_start));
-        let last = floor_boundary(text, (end.min(start + REACH) + REACH).min(line_end));
-        let prefix = if first > line_start { "…" } else { "" };
-        let suffix = if last < line_end { "…" } else { "" };
-        // Control characters would move the caret away from what it points at.
-        let shown: String = text[first..last].chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        let width = |part: &str| part.chars().map(|c| if c.is_control() { 1 } else { c.len_utf8() }).sum::<usize>();
-        let begin = prefix.len() + width(&text[first..start]);
-        let length = width(&text[start..end.min(last)]);
-        Self { text: format!("{prefix}{shown}{suffix}"), start: begin, end: begin + length }
-    }
-}
-
-fn floor_boundary(text: &str, mut at: usize) -> usize {
-    while !text.is_char_boundary(at) {
-        at -= 1;
-    }
-    at
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::io::{self, Read as _};
+use std::io;
 use std::path::Path;
 
 use annotate_snippets::Level;
@@ -13,10 +13,10 @@ use super::diagnostic::{Note, Problem, rendered};
 use super::ending::Ending;
 use super::flags::text_of;
 use super::{files, tell};
-use crate::model::{Flaw, Place};
+use crate::model::{Flaw, Place, Places};
 use crate::report::junit::{Case, Outcome, Suite};
 use crate::report::{Notice, Obstacle, Report as Findings, github, junit, sarif};
-use crate::syntax::SyntaxError;
+use crate::syntax::{Lines, SyntaxError};
 use crate::worksheet::{self, Claim, Format, MAX_WORKSHEET_BYTES, RULES, Report, Verdict};
 
 pub(super) fn command() -> Command {
@@ -77,9 +77,7 @@ pub(super) fn verify(matches: &ArgMatches, coloured: bool) -> Result<Ending, Pro
         Err(message) => obstacles.push(Obstacle { path, flaw: Flaw { place: None, message } }),
     };
     if paths.iter().any(|path| path == "-") {
-        let mut text = String::new();
-        let read = io::stdin().lock().take(MAX_WORKSHEET_BYTES as u64 + 1).read_to_string(&mut text);
-        add("standard input".into(), read.map(|_| text).map_err(|error| error.to_string()));
+        add("standard input".into(), files::read_within(io::stdin().lock(), MAX_WORKSHEET_BYTES as u64));
     }
     for candidate in files::collect(&on_disk, is_worksheet)? {
         add(candidate.shown(), files::text_within(&candidate.path, MAX_WORKSHEET_BYTES as u64));
@@ -160,15 +158,6 @@ fn pages(folder: &Path, checked: &[Checked]) -> Result<(), Problem> {
     Ok(())
 }
 
-fn place(file: &Checked, error: &SyntaxError) -> Place {
-    let (line, column) = error.position(&file.text);
-    place_of(line, column)
-}
-
-fn place_of(line: usize, column: usize) -> Place {
-    Place { line: u32::try_from(line).unwrap_or(u32::MAX), column: u32::try_from(column).unwrap_or(u32::MAX) }
-}
-
 /// What a worksheet has to say, in the order of its places.
 fn notices(file: &Checked) -> Vec<Notice> {
     let of = |code: &str, place: Place, message: String, fingerprint: Option<String>| {
@@ -179,20 +168,21 @@ fn notices(file: &Checked) -> Vec<Notice> {
         Some(help) => format!("{}. {help}", error.message),
         None => error.message.clone(),
     };
+    let places = Places::new(&file.text);
     let mut notices = Vec::new();
     for error in &file.report.errors {
-        notices.push(of("W003", place(file, error), with_help(error), None));
+        notices.push(of("W003", places.of(error.span.start), with_help(error), None));
     }
     for claim in &file.report.claims {
-        let at = place_of(claim.line, claim.column);
+        let at = Place::from((claim.line, claim.column));
         match (&claim.error, claim.verdict) {
-            (Some(error), _) => notices.push(of("W002", place(file, error), with_help(error), claim.name.clone())),
+            (Some(error), _) => notices.push(of("W002", places.of(error.span.start), with_help(error), claim.name.clone())),
             (None, Verdict::Refuted) => notices.push(of("W001", at, sentence(claim), claim.name.clone())),
             _ => {}
         }
     }
     for warning in &file.report.warnings {
-        notices.push(of(warning.code, place(file, &warning.error), warning.error.message.clone(), None));
+        notices.push(of(warning.code, places.of(warning.error.span.start), warning.error.message.clone(), None));
     }
     notices.sort_by_key(|notice| notice.place.map(|place| (place.line, place.column)));
     notices
@@ -212,9 +202,10 @@ fn suite(file: &Checked) -> Suite {
         *count += 1;
         if *count == 1 { name } else { format!("{name} ({count})") }
     };
+    let places = Places::new(&file.text);
     let mut cases = Vec::new();
     for error in &file.report.errors {
-        let at = place(file, error);
+        let at = places.of(error.span.start);
         let outcome = Outcome::Error { message: error.message.clone(), detail: format!("{}:{}:{}", file.path, at.line, at.column) };
         cases.push(Case { name: unique(format!("line {}", at.line)), outcome });
     }
@@ -236,8 +227,8 @@ fn suite(file: &Checked) -> Suite {
 }
 
 fn json(checked: &[Checked], obstacles: &[Obstacle]) -> Value {
-    let error = |file: &Checked, error: &SyntaxError| {
-        let place = place(file, error);
+    let error = |places: &Places<'_>, error: &SyntaxError| {
+        let place = places.of(error.span.start);
         json!({"line": place.line, "column": place.column, "message": error.message, "help": error.help})
     };
     let claim = |claim: &Claim| {
@@ -262,11 +253,12 @@ fn json(checked: &[Checked], obstacles: &[Obstacle]) -> Value {
     let mut listed: Vec<Value> = checked
         .iter()
         .map(|file| {
+            let places = Places::new(&file.text);
             json!({
                 "path": file.path,
                 "claims": file.report.claims.iter().map(claim).collect::<Vec<_>>(),
-                "errors": file.report.errors.iter().map(|found| error(file, found)).collect::<Vec<_>>(),
-                "warnings": file.report.warnings.iter().map(|warning| error(file, &warning.error)).collect::<Vec<_>>(),
+                "errors": file.report.errors.iter().map(|found| error(&places, found)).collect::<Vec<_>>(),
+                "warnings": file.report.warnings.iter().map(|warning| error(&places, &warning.error)).collect::<Vec<_>>(),
             })
         })
         .collect();
@@ -287,8 +279,9 @@ fn text(checked: &[Checked], matches: &ArgMatches, coloured: bool) -> String {
     let (list, quiet) = (matches.get_flag("list"), matches.get_flag("quiet"));
     let mut text = String::new();
     for file in checked {
+        let lines = Lines::new(&file.text);
         let show = |level: Level<'static>, error: &SyntaxError, title: &str, notes: &[Note]| {
-            format!("{}\n\n", rendered(level, title, (&file.path, &file.text, error.span), notes, error.help.as_deref(), coloured))
+            format!("{}\n\n", rendered(level, title, (&file.path, &lines, error.span), notes, error.help.as_deref(), coloured))
         };
         for error in &file.report.errors {
             text.push_str(&show(Level::ERROR, error, &error.message, &[]));

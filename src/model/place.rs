@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::json::excerpt;
+use crate::syntax::Lines;
 
 /// A place in a text file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -19,38 +20,28 @@ impl fmt::Display for Place {
     }
 }
 
-/// The places of bytes of a text, quickly for bytes in rising order: what lies
-/// before the last one asked for is not looked at again.
-#[derive(Clone, Debug)]
-pub struct Places<'a> {
-    text: &'a [u8],
-    byte: usize,
-    place: Place,
+impl From<(usize, usize)> for Place {
+    fn from((line, column): (usize, usize)) -> Self {
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        Self { line: number(line), column: number(column) }
+    }
 }
+
+/// The places of bytes of a text.
+#[derive(Clone, Debug)]
+pub struct Places<'a>(Lines<'a>);
 
 impl<'a> Places<'a> {
     /// The places of a text.
     #[must_use]
     pub fn new(text: &'a str) -> Self {
-        Self { text: text.as_bytes(), byte: 0, place: Place { line: 1, column: 1 } }
+        Self(Lines::new(text))
     }
 
     /// The place of a byte.
-    pub fn of(&mut self, byte: usize) -> Place {
-        if byte < self.byte {
-            (self.byte, self.place) = (0, Place { line: 1, column: 1 });
-        }
-        let byte = byte.min(self.text.len());
-        for &passed in &self.text[self.byte..byte] {
-            if passed == b'\n' {
-                self.place = Place { line: self.place.line.saturating_add(1), column: 1 };
-            } else if passed & 0xC0 != 0x80 {
-                // A column is a character: continuation bytes of UTF-8 do not count.
-                self.place.column = self.place.column.saturating_add(1);
-            }
-        }
-        self.byte = byte;
-        self.place
+    #[must_use]
+    pub fn of(&self, byte: usize) -> Place {
+        self.0.position(byte).into()
     }
 }
 
@@ -103,17 +94,6 @@ impl std::error::Error for Flaw {}
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn places_count_characters_from_one() {
-        let text = "ab\nπx\r\ny";
-        let mut rising = Places::new(text);
-        for (byte, line, column) in [(0, 1, 1), (2, 1, 3), (3, 2, 1), (5, 2, 2), (8, 3, 1), (99, 3, 2)] {
-            let place = Place { line, column };
-            assert_eq!((rising.of(byte), Places::new(text).of(byte)), (place, place), "byte {byte}");
-        }
-        assert_eq!(rising.of(2), Place { line: 1, column: 3 });
-    }
 
     #[test]
     fn found_texts_are_short_and_plain() {

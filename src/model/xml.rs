@@ -61,8 +61,8 @@ impl<'a> Tags<'a> {
         self.places.of(at)
     }
 
-    pub(super) fn places(&mut self) -> &mut Places<'a> {
-        &mut self.places
+    pub(super) fn places(&self) -> &Places<'a> {
+        &self.places
     }
 
     /// The next tag, if there is one.
@@ -112,7 +112,7 @@ impl<'a> Element<'a> {
     }
 
     /// The attribute with a name, if there is one.
-    pub(super) fn attribute(&self, name: &str, places: &mut Places) -> Result<Option<Attribute<'a>>, Flaw> {
+    pub(super) fn attribute(&self, name: &str, places: &Places) -> Result<Option<Attribute<'a>>, Flaw> {
         for attribute in self.tag.attributes().with_checks(false) {
             let attribute = attribute.map_err(|error| Flaw::at(places.of(self.at), format!("not well-formed XML: {error}")))?;
             if attribute.key.as_ref() != name {

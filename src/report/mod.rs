@@ -3,6 +3,8 @@
 mod cubic;
 mod decimal;
 mod entry;
+#[cfg(feature = "cli")]
+mod excerpt;
 mod finding;
 mod formula;
 #[cfg(feature = "cli")]
@@ -31,6 +33,8 @@ mod text;
 pub(crate) mod xml;
 
 pub use decimal::decimal;
+#[cfg(feature = "cli")]
+pub(crate) use excerpt::Excerpt;
 pub use formula::Notation;
 pub use mathematica::mathematica;
 #[cfg(feature = "cli")]

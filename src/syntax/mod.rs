@@ -21,6 +21,7 @@ mod latex;
 mod letter;
 mod lexer;
 pub mod limits;
+mod lines;
 mod literal;
 mod map;
 #[cfg_attr(not(feature = "cli"), allow(dead_code))]
@@ -37,6 +38,7 @@ pub use arguments::{ArgumentInput, PolarArguments, parse_polar_arguments};
 pub use error::SyntaxError;
 pub use frame::{FrameInput, parse_frame};
 pub use input::{Input, parse_input};
+pub use lines::Lines;
 pub use map::{MapInput, Variables, parse_map};
 pub use points::{Nesting, PointInput, PointsInput, parse_points};
 pub use printer::Style;

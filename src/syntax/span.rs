@@ -1,5 +1,7 @@
 //! Places in a text.
 
+use super::Lines;
+
 /// A range of bytes of the text that was read; `end` is exclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct Span {
@@ -29,11 +31,10 @@ impl Span {
     }
 
     /// Line and column of the beginning, both from 1; columns count characters.
+    /// For many places of one text, see [`Lines`].
     #[must_use]
     pub fn position(self, source: &str) -> (usize, usize) {
-        let before = source.get(..self.start).unwrap_or(source);
-        let line_start = before.rfind('\n').map_or(0, |place| place + 1);
-        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+        Lines::new(source).position(self.start)
     }
 }
 

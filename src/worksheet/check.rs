@@ -18,7 +18,7 @@ use crate::symbolic::Symbol;
 use crate::syntax::expression::{Callee, Expression, ExpressionKind};
 use crate::syntax::parser::{Named, Parser, Vocabulary};
 use crate::syntax::statement::{self, MapDefinition, Statement};
-use crate::syntax::{Span, SyntaxError};
+use crate::syntax::{Lines, Span, SyntaxError};
 
 /// Checks a worksheet.
 ///
@@ -40,8 +40,15 @@ pub(super) fn check_for_rendering(source: &str, format: Format) -> Report {
 
 fn checked(source: &str, format: Format, renders: bool) -> Report {
     let document = Document::new(source, format);
-    let mut checker =
-        Checker { source, scope: Scope::default(), report: Report::default(), lines: LineTable::new(source), diagnoses: 0, ledger: Ledger::default(), is_over: false, renders };
+    let mut checker = Checker {
+        scope: Scope::default(),
+        report: Report::default(),
+        lines: Lines::new(source),
+        diagnoses: 0,
+        ledger: Ledger::default(),
+        is_over: false,
+        renders,
+    };
     checker.report.errors = document.errors;
     checker.report.warnings = document.warnings.into_iter().map(|error| Warning { code: "W103", error }).collect();
     let parts: Vec<(String, Vec<Range<usize>>)> = document
@@ -74,38 +81,16 @@ fn checked(source: &str, format: Format, renders: bool) -> Report {
     checker.finish()
 }
 
-/// Where lines begin, so that places are found without counting from the start.
-struct LineTable(Vec<usize>);
-
-impl LineTable {
-    fn new(source: &str) -> Self {
-        Self(std::iter::once(0).chain(source.match_indices('\n').map(|(at, _)| at + 1)).collect())
-    }
-
-    fn line(&self, offset: usize) -> usize {
-        self.0.partition_point(|start| *start <= offset)
-    }
-
-    /// Line and column, both from 1; columns count characters.
-    fn position(&self, source: &str, offset: usize) -> (usize, usize) {
-        let line = self.line(offset);
-        let start = self.0.get(line.saturating_sub(1)).copied().unwrap_or(0);
-        let column = source.get(start..offset).map_or(0, |text| text.trim_start_matches('\u{feff}').chars().count());
-        (line, column + 1)
-    }
-}
-
-/// After so many statements that fail, the rest of a worksheet is not read.
+/// After so many statements that fail, the rest of a worksheet is not read; after so many warnings, no more are listed.
 const MAX_PROBLEMS: usize = 2000;
 
 /// The most failed claims of a worksheet that are explained: of more, the first ones say enough.
 const MAX_DIAGNOSES: usize = 64;
 
 struct Checker<'s> {
-    source: &'s str,
     scope: Scope,
     report: Report,
-    lines: LineTable,
+    lines: Lines<'s>,
     /// How many failed claims there were.
     diagnoses: usize,
     /// What the statements above have used.
@@ -188,7 +173,7 @@ impl Checker<'_> {
         }
         let start = part.text.len() - part.text.trim_start().len();
         let span = part.span(Span::new(start, start + part.text.trim().len()));
-        let position = self.lines.position(self.source, span.start);
+        let position = self.lines.position(span.start);
         let mut claim = Claim::new(position, span, name);
         claim.verdict = Verdict::Error;
         claim.error = Some(error);
@@ -215,8 +200,9 @@ impl Checker<'_> {
             let is_last = parser.at_end();
             if statement.is_some() && self.ledger.is_spent() {
                 self.is_over = true;
-                let message =
-                    format!("found statements above that take more than {MAX_WORKSHEET_WORK} steps together, and nothing is read from here on");
+                let message = format!(
+                    "found statements above that take more than {MAX_WORKSHEET_WORK} steps together, and nothing is read from here on"
+                );
                 return Err(shift(SyntaxError::new(Span::new(0, consumed), message).with_help("split the worksheet")));
             }
             match statement {
@@ -244,7 +230,7 @@ impl Checker<'_> {
                     self.define(&sub, &definition, values, formula, latex).map_err(shift)?;
                 }
                 Some(Statement::Claim(claim)) => {
-                    let (line, column) = self.lines.position(self.source, sub.span(claim.span()).start);
+                    let (line, column) = self.lines.position(sub.span(claim.span()).start);
                     let explains = self.diagnoses < MAX_DIAGNOSES;
                     let found = decide(&self.scope, &mut parser, &claim, rest, explains).map_err(|error| suggested(error, rest));
                     let (latex, picture) = match self.renders {
@@ -361,6 +347,12 @@ impl Checker<'_> {
             self.report.warnings.push(Warning { code: "W101", error });
         }
         self.report.warnings.sort_by_key(|warning| warning.error.span);
+        if self.report.warnings.len() > MAX_PROBLEMS {
+            self.report.warnings.truncate(MAX_PROBLEMS + 1);
+            if let Some(last) = self.report.warnings.last_mut() {
+                last.error.message = format!("found more than {MAX_PROBLEMS} warnings above, and none is listed from here on");
+            }
+        }
         self.report
     }
 }

@@ -188,7 +188,9 @@ impl Evaluator<'_> {
         for number in numbers {
             let place = self.count(parser, number)?;
             value = match value {
-                Cow::Borrowed(Quantity::List(items)) => Cow::Borrowed(items.get(place).ok_or_else(|| no_entry(place, items.len(), number))?),
+                Cow::Borrowed(Quantity::List(items)) => {
+                    Cow::Borrowed(items.get(place).ok_or_else(|| no_entry(place, items.len(), number))?)
+                }
                 Cow::Borrowed(value) => Cow::Owned(nth(copied(parser, value, span)?, place, span, number)?),
                 Cow::Owned(value) => Cow::Owned(nth(value, place, span, number)?),
             };

@@ -12,7 +12,7 @@ pub(super) struct PathReader<'a, 'p, 't> {
     text: &'a str,
     at: usize,
     base: Base,
-    places: &'p mut Places<'t>,
+    places: &'p Places<'t>,
     outline: &'p mut Outline,
     decimals: &'p mut Decimals,
     current: Point,
@@ -37,7 +37,7 @@ struct Handle {
 const COMMANDS: &str = "MmLlHhVvCcSsQqTtAaZz";
 
 impl<'a, 'p, 't> PathReader<'a, 'p, 't> {
-    pub(super) fn new(attribute: &'a Attribute, places: &'p mut Places<'t>, outline: &'p mut Outline, decimals: &'p mut Decimals) -> Self {
+    pub(super) fn new(attribute: &'a Attribute, places: &'p Places<'t>, outline: &'p mut Outline, decimals: &'p mut Decimals) -> Self {
         let base = if attribute.is_verbatim { Base::Verbatim(attribute.at) } else { Base::Decoded(places.of(attribute.at)) };
         Self { text: &attribute.value, at: 0, base, places, outline, decimals, current: origin(), handle: None }
     }

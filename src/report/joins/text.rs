@@ -13,6 +13,8 @@ use crate::audit::{Join, Verdict};
 use crate::continuity::Continuity;
 use crate::exact::Rational;
 use crate::model::Place;
+use crate::report::Excerpt;
+use crate::syntax::{Lines, Span};
 
 /// How text is written.
 #[derive(Clone, Copy, Debug, Default)]
@@ -31,17 +33,18 @@ pub struct Style {
 pub fn text(files: &[File], style: Style, out: &mut dyn Write) -> io::Result<()> {
     let renderer = if style.coloured { Renderer::styled() } else { Renderer::plain() };
     for file in files {
+        let lines = file.text.as_deref().map(Lines::new);
         match &file.outcome {
             Err(flaw) => {
                 let title = Level::ERROR.primary_title(flaw.message.as_str());
-                writeln!(out, "{}\n", located(&renderer, title, (&file.path, file.text.as_deref()), flaw.place, "here", &[]))?;
+                writeln!(out, "{}\n", located(&renderer, title, (&file.path, lines.as_ref()), flaw.place, "here", &[]))?;
             }
             Ok(examined) => {
                 let degenerate = examined.audit.joins.iter().filter(|join| style.verbose && join.verdict == Verdict::Degenerate);
                 let mut shown: Vec<&Join> = examined.failures().map(|(_, join)| join).chain(degenerate).collect();
                 shown.sort_by_key(|join| examined.place(join));
                 for join in shown {
-                    writeln!(out, "{}\n", one(&renderer, file, examined, join))?;
+                    writeln!(out, "{}\n", one(&renderer, (&file.path, lines.as_ref()), examined, join))?;
                 }
                 if style.verbose {
                     for omitted in &examined.model.omissions {
@@ -62,35 +65,18 @@ pub fn text(files: &[File], style: Style, out: &mut dyn Write) -> io::Result<()>
     writeln!(out, "{}", summary(files))
 }
 
-/// The line of a text, and the bytes of a character of it.
-fn line(text: &str, place: Place) -> Option<(&str, usize)> {
-    let line = text.lines().nth(place.line as usize - 1)?;
-    let byte = line.char_indices().nth(place.column as usize - 1).map_or(line.len(), |(byte, _)| byte);
-    Some((line, byte))
-}
-
-/// The part of a line around a byte, without characters that move the caret.
-fn window(line: &str, byte: usize) -> (String, usize) {
-    const REACH: usize = 60;
-    let floor = |mut at: usize| {
-        while !line.is_char_boundary(at) {
-            at -= 1;
-        }
-        at
-    };
-    let (start, end) = (floor(byte.saturating_sub(REACH)), floor((byte + REACH).min(line.len())));
-    let clean = |part: &str| part.chars().map(|c| if c.is_control() { ' ' } else { c }).collect::<String>();
-    let before = format!("{}{}", if start > 0 { "…" } else { "" }, clean(&line[start..byte]));
-    let behind = format!("{}{}", clean(&line[byte..end]), if end < line.len() { "…" } else { "" });
-    let at = before.len();
-    (before + behind.trim_end(), at)
+/// The surroundings of the character at a place; `None` if the text has no such line.
+fn excerpt(lines: &Lines<'_>, place: Place) -> Option<Excerpt> {
+    let byte = lines.byte(place.line as usize, place.column as usize)?;
+    let letter = lines.text()[byte..].chars().next().map_or(0, char::len_utf8);
+    Some(Excerpt::around(lines, Span::new(byte, byte + letter)))
 }
 
 /// A message with its place, the line there if it is known, and notes.
 fn located(
     renderer: &Renderer,
     title: Title<'_>,
-    (path, text): (&str, Option<&str>),
+    (path, lines): (&str, Option<&Lines<'_>>),
     place: Option<Place>,
     label: &str,
     notes: &[String],
@@ -101,21 +87,20 @@ fn located(
         return renderer.render(&[notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())))]);
     };
     let origin = origin.line(place.line as usize).char_column(place.column as usize);
-    let shown = text.and_then(|text| line(text, place)).map(|(line, byte)| (window(line, byte), byte));
-    let group = match &shown {
+    let excerpt = lines.and_then(|lines| excerpt(lines, place));
+    let group = match &excerpt {
         None => title.element(origin),
-        Some(((line, at), byte)) => {
-            let end = line[*at..].chars().next().map_or(*at, |letter| at + letter.len_utf8());
-            let annotation = AnnotationKind::Primary.span(*at..end).label(label);
-            let snippet = Snippet::source(line.as_str()).line_start(place.line as usize).annotation(annotation);
-            // Of a line that is shown in part the place is told apart.
-            if at == byte { title.element(snippet.path(path)) } else { title.element(origin).element(snippet) }
+        Some(excerpt) => {
+            let annotation = AnnotationKind::Primary.span(excerpt.span.clone()).label(label);
+            let snippet = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line).annotation(annotation);
+            // Of a line whose beginning is left out the place is told apart.
+            if excerpt.is_cut { title.element(origin).element(snippet) } else { title.element(snippet.path(path)) }
         }
     };
     renderer.render(&[notes.iter().fold(group, |group, note| group.element(Level::NOTE.message(note.as_str())))])
 }
 
-fn one(renderer: &Renderer, file: &File, examined: &Examined, join: &Join) -> String {
+fn one(renderer: &Renderer, (path, lines): (&str, Option<&Lines<'_>>), examined: &Examined, join: &Join) -> String {
     let code = rule_of(join).map_or("", |rule| rule.code);
     let demand = demand(examined, join);
     let message = if demand.is_empty() { finding(join) } else { format!("{} ({demand})", finding(join)) };
@@ -125,11 +110,11 @@ fn one(renderer: &Renderer, file: &File, examined: &Examined, join: &Join) -> St
     let label = location(examined, join);
     let remedy = remedy(join);
     if examined.stated(join).is_some() {
-        return located(renderer, title, (&file.path, file.text.as_deref()), place, &label, remedy.as_slice());
+        return located(renderer, title, (path, lines), place, &label, remedy.as_slice());
     }
     // The lines of a patch say little: its numbers are many.
     let notes: Vec<String> = std::iter::once(label).chain(remedy).collect();
-    located(renderer, title, (&file.path, None), place, "", &notes)
+    located(renderer, title, (path, None), place, "", &notes)
 }
 
 fn counted(count: usize, one: &str, many: &str) -> String {
