@@ -309,3 +309,27 @@ fn a_full_standard_error_does_not_panic() {
         assert_eq!(output.status.code(), Some(status), "{arguments:?}");
     }
 }
+
+/// A worksheet on standard input is held to the same limit as one in a file,
+/// also where the limit is inside a character.
+#[test]
+fn worksheets_on_standard_input() {
+    let output = run(&["verify", "-"], "½".repeat((8 << 20) + 1).as_bytes());
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!((output.status.code(), errors.contains("too long; at most 16777216 bytes")), (Some(2), true), "{errors}");
+}
+
+/// Pictures and meshes replace a file in one step: another name of the old one keeps its text.
+#[test]
+fn pictures_are_never_half_written() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let (picture, other) = (folder.join("picture.svg"), folder.join("other"));
+    std::fs::write(&picture, "before").expect("a file");
+    std::fs::hard_link(&picture, &other).expect("a second name");
+    let output = run(&["plot", "(t, t^2)", "--frame", "0..1", "-o", &picture.to_string_lossy()], b"");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(std::fs::read_to_string(&picture).expect("a picture").contains("<svg"));
+    assert_eq!(std::fs::read_to_string(&other).expect("the old file"), "before");
+}

@@ -180,7 +180,7 @@ fn finish<C: Coefficient>(matches: &ArgMatches, arguments: &Arguments<C>, answer
         }
         _ => render(matches, arguments, answer)?.into_bytes(),
     };
-    std::fs::write(path, document).map_err(|error| Problem::plain(format!("cannot write `{path}`: {error}")))?;
+    target::replace(std::path::Path::new(path), &document)?;
     Ok(answer.holds.unwrap_or(true))
 }
 
