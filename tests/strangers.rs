@@ -328,7 +328,7 @@ fn pictures_are_never_half_written() {
     let (picture, other) = (folder.join("picture.svg"), folder.join("other"));
     std::fs::write(&picture, "before").expect("a file");
     std::fs::hard_link(&picture, &other).expect("a second name");
-    let output = run(&["plot", "(t, t^2)", "--frame", "0..1", "-o", &picture.to_string_lossy()], b"");
+    let output = run(&["plot", "(t, t^2)", "--over", "0..1", "-o", &picture.to_string_lossy()], b"");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(std::fs::read_to_string(&picture).expect("a picture").contains("<svg"));
     assert_eq!(std::fs::read_to_string(&other).expect("the old file"), "before");

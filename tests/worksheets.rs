@@ -430,17 +430,17 @@ fn strangers_who_ask_for_much() {
     let long = "9".repeat(9_999);
     let numbers = format!("{long} == {long}\n").repeat(250);
     let hundred = vec!["1"; 100].join(",");
-    let held = (0..30).map(|k| format!("B{k} = [{}]\n", vec!["A"; 1000].join(","))).collect::<String>();
+    let held = (0..30).map(|k| format!("B{k} = [{}]\n", vec!["A"; 500].join(","))).collect::<String>();
     let held = format!("A = [{hundred}]\n{held}");
     for (source, expected) in [
-        (&pairs, "found a list of more than 262144 numbers and terms, expected at most 262144 | write shorter lists"),
+        (&pairs, "found a list of more than 65536 numbers and terms, expected at most 65536 | write shorter lists"),
         (&nested, "found lists nested more than 128 deep, expected at most 128 | write one list with all entries"),
-        (&wide, "found a list of more than 262144"),
+        (&wide, "found a list of more than 65536"),
         (
             &numbers,
             "found statements above that take more than 40000000 steps together, and nothing is read from here on | split the worksheet",
         ),
-        (&held, "found definitions of more than 1048576 numbers and terms together, expected at most 1048576 | split the worksheet"),
+        (&held, "found definitions of more than 524288 numbers and terms together, expected at most 524288 | split the worksheet"),
     ] {
         let report = check(source, Format::Statements);
         let claims = report.claims.iter().filter_map(|claim| claim.error.as_ref());

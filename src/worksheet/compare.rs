@@ -1,11 +1,13 @@
 //! Whether two values are equal, and how they differ.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use num_traits::Zero;
 
 use super::quantity::{Map, Order, Point, Quantity};
 use crate::continuity::Continuity;
+use crate::exact::Rational;
 use crate::symbolic::{Monomial, Polynomial, Symbol};
 use crate::syntax::printer::Style;
 use crate::syntax::token::Comparison;
@@ -49,20 +51,23 @@ impl Entry {
             let of = |keep: bool| Monomial::from_factors(monomial.factors().iter().copied().filter(|factor| root(factor.0) == keep));
             (of(false), of(true))
         };
-        let mut monomials: Vec<Monomial> = difference.terms().map(|(monomial, _)| split(monomial).0).collect();
-        monomials.sort_by(|a, b| b.cmp(a));
-        monomials.dedup();
-        let coefficient = |value: &Polynomial, wanted: &Monomial| {
-            let terms = value.terms().filter_map(|(monomial, number)| {
+        // One pass over each side, however many terms differ.
+        let mut terms: BTreeMap<Monomial, [Vec<(Monomial, Rational)>; 2]> = BTreeMap::new();
+        for (monomial, _) in difference.terms() {
+            terms.entry(split(monomial).0).or_default();
+        }
+        for (side, value) in [&self.left, &self.right].into_iter().enumerate() {
+            for (monomial, number) in value.terms() {
                 let (rest, roots) = split(monomial);
-                (rest == *wanted).then(|| (roots, number.clone()))
-            });
-            Polynomial::from_terms(terms)
-        };
-        monomials
-            .into_iter()
-            .map(|monomial| {
-                let (left, right) = (coefficient(&self.left, &monomial), coefficient(&self.right, &monomial));
+                if let Some(found) = terms.get_mut(&rest) {
+                    found[side].push((roots, number.clone()));
+                }
+            }
+        }
+        let coefficients = terms.into_iter().rev();
+        coefficients
+            .map(|(monomial, sides)| {
+                let [left, right] = sides.map(Polynomial::from_terms);
                 (monomial, left, right)
             })
             .collect()

@@ -7,10 +7,10 @@ use crate::syntax::{Span, SyntaxError};
 
 /// The largest size of a list: terms of polynomials, of which a number has one,
 /// and lists; long numbers count by their machine words.
-pub const MAX_LIST_SIZE: u64 = 1 << 18;
+pub const MAX_LIST_SIZE: u64 = 1 << 16;
 
 /// The largest size of all definitions of a worksheet together.
-pub const MAX_HELD: u64 = 1 << 20;
+pub const MAX_HELD: u64 = 1 << 19;
 
 /// How much arithmetic all statements of a worksheet may ask for together.
 pub const MAX_WORKSHEET_WORK: u64 = 10 * MAX_WORK;

@@ -65,10 +65,15 @@ pub fn text(files: &[File], style: Style, out: &mut dyn Write) -> io::Result<()>
     writeln!(out, "{}", summary(files))
 }
 
-/// The surroundings of the character at a place; `None` if the text has no such line.
+/// The surroundings of the character at a place; `None` if nothing stands there.
 fn excerpt(lines: &Lines<'_>, place: Place) -> Option<Excerpt> {
     let byte = lines.byte(place.line as usize, place.column as usize)?;
-    let letter = lines.text()[byte..].chars().next().map_or(0, char::len_utf8);
+    let rest = &lines.text()[byte..];
+    if rest.is_empty() && place.column == 1 {
+        // Behind the last line end there is nothing to show.
+        return None;
+    }
+    let letter = rest.chars().next().map_or(0, char::len_utf8);
     Some(Excerpt::around(lines, Span::new(byte, byte + letter)))
 }
 
