@@ -15,7 +15,7 @@ pub struct Lines<'a> {
     counts: Vec<usize>,
 }
 
-const STRIDE: usize = 1024;
+const STRIDE: usize = 256;
 
 /// How many characters begin in these bytes: continuation bytes of UTF-8 do not count.
 fn characters(bytes: &[u8]) -> usize {

@@ -194,7 +194,7 @@ impl Evaluator<'_> {
                 Cow::Borrowed(value) => Cow::Owned(nth(copied(parser, value, span)?, place, span, number)?),
                 Cow::Owned(value) => Cow::Owned(nth(value, place, span, number)?),
             };
-            let closing = parser.source[number.span.end..].find(']').map_or(0, |length| length + 1);
+            let closing = parser.source.get(number.span.end..).and_then(|rest| rest.find(']')).map_or(0, |length| length + 1);
             span = span.to(Span::new(number.span.start, number.span.end + closing));
         }
         match value {

@@ -54,7 +54,7 @@ impl Growing {
     /// Takes the next entry, which stands at a place.
     pub(super) fn push(&mut self, item: Quantity, span: Span) -> Result<(), SyntaxError> {
         self.size += item.size();
-        if self.size >= MAX_LIST_SIZE {
+        if self.size > MAX_LIST_SIZE {
             let message = format!("found a list of more than {MAX_LIST_SIZE} numbers and terms, expected at most {MAX_LIST_SIZE}");
             return Err(SyntaxError::new(span, message).with_help("write shorter lists, each with a name or in a claim of its own"));
         }
