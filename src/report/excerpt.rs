@@ -45,3 +45,24 @@ impl Excerpt {
         Self { line, text: format!("{before}{marked}{}", behind.trim_end()), span, is_cut }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn excerpts_keep_to_their_line_and_are_short() {
+        let around = |text: &str, start, end| {
+            let excerpt = Excerpt::around(&Lines::new(text), Span::new(start, end));
+            (excerpt.line, excerpt.text[excerpt.span.clone()].to_owned(), excerpt.text.chars().count(), excerpt.is_cut)
+        };
+        assert_eq!(around("a\nb\tcd\r\ne", 3, 9), (2, " cd".into(), 4, false));
+        let long = "½".repeat(5000);
+        assert_eq!(around(&long, 5000, 5002), (1, "½".into(), 63, true));
+        assert_eq!(around(&long, 0, 10_000), (1, "½".repeat(60), 61, false));
+        // Inside a character, behind the end, in nothing.
+        assert_eq!(around(&long, 1, 3), (1, "½".into(), 32, false));
+        assert_eq!(around("ab\n", 99, 99), (2, String::new(), 0, false));
+        assert_eq!(around("\u{feff}", 0, 1), (1, String::new(), 0, false));
+    }
+}
