@@ -162,7 +162,7 @@ fn high_degrees_are_drawn_up_to_a_limit() {
 fn rational_curves_show_their_weights_and_their_steps() {
     let arc = |weights: [i64; 3]| {
         let points = [[1, 0], [1, 1], [0, 1]].map(|point| point.map(Rational::from).to_vec()).to_vec();
-        let lifted = crate::homogeneous_points(&points, &weights.map(Rational::from)).expect("a weight each");
+        let lifted = crate::weights::homogeneous_points(&points, &weights.map(Rational::from)).expect("a weight each");
         Segment::from_points(lifted, Interval::unit()).expect("three points")
     };
     let svg = checked(&CurvePicture::rational(&arc([1, 1, 2])).expect("positive weights").with_scheme(Rational::new(1, 2)));
