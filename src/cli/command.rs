@@ -90,8 +90,13 @@ fn subcommand(verb: &'static str) -> Command {
         } else {
             "POINTS"
         };
+        let help = if names == "NUMBERS" {
+            "The numbers themselves, or `-` for standard input"
+        } else {
+            "The input itself, `-` for standard input, or the path of a .json shape file"
+        };
         command = command
-            .arg(Arg::new("input").value_name(names).help("The input itself, `-` for standard input, or the path of a .json shape file"))
+            .arg(Arg::new("input").value_name(names).help(help))
             .arg(Arg::new("file").long("input").value_name("FILE").help("Read the input from a file"));
         if names.starts_with("EXPR") {
             let letters = "The letters of the parameters: one of a curve (t unless said), two of a surface";
@@ -105,7 +110,7 @@ fn subcommand(verb: &'static str) -> Command {
             } else if positional(&["other_points"]) {
                 "The control points of the second curve or surface, or the path of a .json shape file"
             } else {
-                "The second curve or surface, as an equation"
+                "The second curve or surface, as an equation, or the path of a .json shape file"
             },
         ));
     }

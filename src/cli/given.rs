@@ -64,9 +64,6 @@ impl Given {
         }
         let source = Source::of(matches, argument)?;
         if source.is_shape() {
-            if !points {
-                return Err(Problem::plain(format!("`{verb}` takes an equation; {} holds control points", source.name)));
-            }
             let shape = read_shape(&source.text).map_err(|fault| Problem::plain(format!("{}: {}", source.name, fault.message)))?;
             return Ok(Some(Self::File(Box::new(shape))));
         }

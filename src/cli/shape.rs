@@ -7,8 +7,9 @@ use super::read::{FIRST, Names, Reader};
 use super::value::counts;
 use super::variables;
 use crate::curve::Curve;
+use crate::exact::Rational;
 use crate::model::ShapeFile;
-use crate::piece::Piece;
+use crate::piece::{Equation, Piece};
 use crate::surface::{Surface, Term};
 use crate::symbolic::Polynomial;
 use crate::syntax::{MapInput, Nesting, PointInput, PointsInput, Variables};
@@ -147,16 +148,26 @@ impl Reader<'_> {
             let verb = self.operation.verb;
             return Err(Problem::plain(format!("`{verb}` takes a {} here; the shape file holds a {}", self.domain.name(), kind.name())));
         }
-        let lift = |point: &[crate::exact::Rational]| point.iter().cloned().map(Polynomial::from).collect();
-        let rows = file.piece.rows().into_iter().map(|row| row.into_iter().map(lift).collect()).collect();
-        self.insert_rows(rows, names);
+        if self.operation.parameter(names.points).is_some() {
+            let lift = |point: &[Rational]| point.iter().cloned().map(Polynomial::from).collect();
+            let rows = file.piece.rows().into_iter().map(|row| row.into_iter().map(lift).collect()).collect();
+            self.insert_rows(rows, names);
+        } else {
+            let mut lift = |number: &Rational| Ok::<_, Problem>(Polynomial::from(number.clone()));
+            match file.piece.equation()? {
+                Equation::Curve(curve) => self.arguments.insert(names.curve, Value::Curve(curve.map(&mut lift)?)),
+                Equation::Surface(surface) => self.arguments.insert(names.surface, Value::Surface(surface.map(&mut lift)?)),
+            }
+        }
         if let Some(weights) = file.weights {
             if self.operation.parameter(names.weights).is_none() {
                 return Err(Problem::plain(format!("`{}` takes shapes without weights here", self.operation.verb)));
             }
             self.arguments.insert(names.weights, Value::Numbers(weights.into_iter().map(Polynomial::from).collect()));
         }
-        if file.has_frame {
+        // The frame of an equation is only the usual one.
+        let is_replaced = self.operation.parameter(names.points).is_none() && is_given(self.matches, "over");
+        if file.has_frame && !is_replaced {
             let frame = file.piece.frame().map(&mut |number| Ok::<_, Problem>(Polynomial::from(number.clone())))?;
             if names.points == FIRST.points {
                 self.shape_frame = Some(frame);
