@@ -45,7 +45,7 @@ pub(crate) enum Data {
 }
 
 /// The plans for bringing every factor over new vertices. Appends their parameters.
-#[inline]
+#[inline(always)]
 fn plans<C: Coefficient>(
     shape: &Shape,
     vertices: &[Weights<C>],
@@ -67,7 +67,8 @@ fn plans<C: Coefficient>(
 ///
 /// # Errors
 /// [`Error::DegenerateFrame`] if the new vertices are dependent.
-#[inline]
+// Inline wherever it is called from: what the data is and is to be is known there.
+#[inline(always)]
 pub(crate) fn change_frame<C: Coefficient>(
     shape: &Shape,
     (from, numbers): (Data, &[C]),

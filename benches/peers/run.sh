@@ -13,4 +13,5 @@ FLINT_LIBRARY=$(find "$PWD/$venv" -path '*/python_flint.libs/libflint*.so*' -pri
 cargo build --release --quiet
 SYMPY_POINTS=$("$venv/bin/python" sympy_points.py)
 export FLINT_LIBRARY SYMPY_POINTS
-exec cargo run --release --quiet
+cargo run --release --quiet --bin peers
+exec cargo run --release --quiet --bin memory

@@ -3,7 +3,6 @@
 mod classes;
 mod data;
 mod flint;
-mod memory;
 mod race;
 mod rival;
 
@@ -14,9 +13,6 @@ use casteljau::{Curve, Interval, Rational, Segment, classify_array};
 use data::Numbers;
 use flint::{Flint, Fractions};
 use race::{Outcome, race};
-
-#[global_allocator]
-static ALLOCATOR: memory::Counting = memory::Counting;
 
 fn main() {
     let flint = Flint::load();
@@ -36,14 +32,6 @@ fn main() {
     for bits in [28, 31] {
         classes(flint, bits);
     }
-    let curve = curve(1000);
-    let (peak, held) = memory::of(|| curve.segment(&frame()).unwrap());
-    println!(
-        "\nMemory, control points of degree 1000: {:.2} MB at most during the call, {:.2} MB held by the result: {:.2} times.",
-        peak as f64 / 1e6,
-        held as f64 / 1e6,
-        peak as f64 / held as f64
-    );
 }
 
 /// Control points over [-1/3, 7/5] from the coefficients of a polynomial.
