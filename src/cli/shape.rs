@@ -148,7 +148,8 @@ impl Reader<'_> {
             let verb = self.operation.verb;
             return Err(Problem::plain(format!("`{verb}` takes a {} here; the shape file holds a {}", self.domain.name(), kind.name())));
         }
-        if self.operation.parameter(names.points).is_some() {
+        let takes_points = self.operation.parameter(names.points).is_some();
+        if takes_points {
             let lift = |point: &[Rational]| point.iter().cloned().map(Polynomial::from).collect();
             let rows = file.piece.rows().into_iter().map(|row| row.into_iter().map(lift).collect()).collect();
             self.insert_rows(rows, names);
@@ -166,7 +167,7 @@ impl Reader<'_> {
             self.arguments.insert(names.weights, Value::Numbers(weights.into_iter().map(Polynomial::from).collect()));
         }
         // The frame of an equation is only the usual one.
-        let is_replaced = self.operation.parameter(names.points).is_none() && is_given(self.matches, "over");
+        let is_replaced = !takes_points && is_given(self.matches, "over");
         if file.has_frame && !is_replaced {
             let frame = file.piece.frame().map(&mut |number| Ok::<_, Problem>(Polynomial::from(number.clone())))?;
             if names.points == FIRST.points {

@@ -6,7 +6,7 @@ use std::fmt;
 
 use num_bigint::BigInt;
 
-use super::combination::combine;
+use super::combination::Combination;
 use super::denominator::{CommonDenominator, LongDenominators, integer, magnitude_of_integer};
 use super::integers::IntegerSlice;
 use super::layout::Layout;
@@ -66,7 +66,7 @@ pub trait Coefficient: sealed::Compute + PartialEq + fmt::Debug + fmt::Display +
 }
 
 pub(crate) mod sealed {
-    use super::{Entries, IntegerSlice, Layout, Magnitude, Ring};
+    use super::{Combination, Entries, IntegerSlice, Layout, Magnitude, Ring};
 
     /// What is computed, written once for every ring.
     pub trait Task {
@@ -94,16 +94,10 @@ pub(crate) mod sealed {
         /// `layouts` says of each.
         fn compute<T: Task>(task: &T, data: &[Self], parameters: IntegerSlice<'_, Self>, layouts: &[Layout<'_, Self>]) -> Vec<Self>;
 
-        /// The point that is a combination of points with some weights, whose
-        /// absolute values add up to no more than `bound`, divided by all of
-        /// `divisors`; `None` if that is not quickly done.
-        fn combine<W: Into<i128>>(
-            data: &[Self],
-            stride: usize,
-            weights: impl Iterator<Item = W> + Clone,
-            bound: u128,
-            divisors: &[i64],
-        ) -> Option<Vec<Self>>;
+        /// The point that is a combination of points; `None` if that is not quickly done.
+        fn combine<I: Iterator<Item: Into<i128>> + Clone>(_: Combination<'_, I>, _data: &[Self], _stride: usize) -> Option<Vec<Self>> {
+            None
+        }
     }
 }
 
@@ -308,14 +302,8 @@ impl Compute for Rational {
     }
 
     #[inline]
-    fn combine<W: Into<i128>>(
-        data: &[Self],
-        stride: usize,
-        weights: impl Iterator<Item = W> + Clone,
-        bound: u128,
-        divisors: &[i64],
-    ) -> Option<Vec<Self>> {
-        combine(data, stride, weights, bound, divisors)
+    fn combine<I: Iterator<Item: Into<i128>> + Clone>(combination: Combination<'_, I>, data: &[Self], stride: usize) -> Option<Vec<Self>> {
+        combination.of(data, stride)
     }
 }
 
@@ -357,10 +345,6 @@ impl Compute for Polynomial {
             });
         }
         reduced
-    }
-
-    fn combine<W: Into<i128>>(_: &[Self], _: usize, _: impl Iterator<Item = W> + Clone, _: u128, _: &[i64]) -> Option<Vec<Self>> {
-        None
     }
 }
 

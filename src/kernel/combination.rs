@@ -125,42 +125,46 @@ impl ShortArguments {
             && let Some(bound) = self.last.bound.checked_mul(multiples[0].unsigned_abs()).filter(|&bound| bound <= i64::MAX as u64)
         {
             let weights = self.last.coefficients().iter().zip(multiples).map(|(symmetric, multiple)| symmetric * multiple);
-            return C::combine(data, stride, weights, u128::from(bound), &[self.last.coefficients[0] * multiples[0]]);
+            let divisor = self.last.coefficients[0] * multiples[0];
+            return C::combine(Combination { weights, bound: u128::from(bound), divisors: &[divisor] }, data, stride);
         }
         self.carry()?;
         self.scales.push(multiples[0]);
         let (symmetric, bound) = self.before.as_ref()?;
         let bound = bound.checked_mul(multiples[0] as u128)?;
         let weights = symmetric.iter().zip(multiples).map(|(symmetric, &multiple)| symmetric.wrapping_mul(i128::from(multiple)));
-        C::combine(data, stride, weights, bound, &self.scales)
+        C::combine(Combination { weights, bound, divisors: &self.scales }, data, stride)
     }
 }
 
-/// The sums of the coordinates of the data times its weights, whose absolute
-/// values add up to no more than `bound`, divided by some words; `None` if a number is too long.
-#[inline]
-pub(crate) fn combine<W: Into<i128>>(
-    data: &[Rational],
-    stride: usize,
-    weights: impl Iterator<Item = W> + Clone,
+/// A sum of points times short weights, divided by some words.
+pub struct Combination<'a, I> {
+    weights: I,
+    /// Not less than the sum of the absolute weights.
     bound: u128,
-    divisors: &[i64],
-) -> Option<Vec<Rational>> {
-    let mut point = Vec::with_capacity(stride);
-    for coordinate in 0..stride {
-        let mut denominator = RunningDenominator::default();
-        let mut sum = 0i128;
-        // Whatever wraps on the way is right in the end, if the sum fits.
-        let mut place = coordinate;
-        for weight in weights.clone() {
-            let word = denominator.numerator(data.get(place)?, |missing| sum = sum.wrapping_mul(i128::from(missing)))?;
-            sum = sum.wrapping_add(i128::from(word).wrapping_mul(weight.into()));
-            place += stride;
+    divisors: &'a [i64],
+}
+
+impl<W: Into<i128>, I: Iterator<Item = W> + Clone> Combination<'_, I> {
+    /// The combination of points given by their coordinates; `None` if a number is too long.
+    #[inline]
+    pub(crate) fn of(self, data: &[Rational], stride: usize) -> Option<Vec<Rational>> {
+        let mut point = Vec::with_capacity(stride);
+        for coordinate in 0..stride {
+            let mut denominator = RunningDenominator::default();
+            let mut sum = 0i128;
+            // Whatever wraps on the way is right in the end, if the sum fits.
+            let mut place = coordinate;
+            for weight in self.weights.clone() {
+                let word = denominator.numerator(data.get(place)?, |missing| sum = sum.wrapping_mul(i128::from(missing)))?;
+                sum = sum.wrapping_add(i128::from(word).wrapping_mul(weight.into()));
+                place += stride;
+            }
+            self.bound.checked_mul(u128::from(denominator.largest())).filter(|&largest| largest <= i128::MAX as u128)?;
+            push_over_words(sum, denominator.common(), self.divisors, &mut point)?;
         }
-        bound.checked_mul(u128::from(denominator.largest())).filter(|&largest| largest <= i128::MAX as u128)?;
-        push_over_words(sum, denominator.common(), divisors, &mut point)?;
+        Some(point)
     }
-    Some(point)
 }
 
 #[cfg(test)]
